@@ -85,8 +85,9 @@ double trueErrorPx(const RivalMesh& mesh, const RoamTile& tile, const viewlod::V
 double toleranceForError(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight)
 {
     constexpr int kMostTries = 20;
-    constexpr double kMostFactor = 8.0;  // of a step into the unknown
-    constexpr double kNarrow = 1.0005;   // the error jumps between tolerances so near to each other
+    constexpr double kMostFactor = 8.0; // of a step into the unknown
+    // The error jumps between tolerances so near to each other. One mesh for all eyes is made and measured whole for each.
+    const double narrow = rival.adapts ? 1.0005 : 1.01;
     constexpr double kAtEnds = 0.05;     // of the interval: nearer to an end than this it hardly shrinks
     constexpr double kLargestPx = 512.0; // times the error: nothing happens beyond
     Nearest nearest(flight.errorPx);
@@ -96,7 +97,7 @@ double toleranceForError(const Rival& rival, const RoamTile& tile, const Compare
     {
         const double errorPx = errorAt(tolerancePx, rival, tile, flight);
         (nearest.isBeyond(tolerancePx, errorPx) ? high : low) = Tried{tolerancePx, errorPx};
-        if (low && high && high->tolerancePx < kNarrow * low->tolerancePx) break;
+        if (low && high && high->tolerancePx < narrow * low->tolerancePx) break;
         if (!high && low->tolerancePx > kLargestPx * flight.errorPx) break;
         if (!low || !high)
         {
