@@ -109,7 +109,7 @@ private:
 
 } // namespace
 
-EnlargedPicture::EnlargedPicture(osgViewer::View& view, const osg::Camera& picture)
+EnlargedPicture::EnlargedPicture(osgViewer::View& view, osg::Camera& picture)
     : _camera(new osg::Camera), _part(new SpreadPart)
 {
     _camera->setName("enlarged picture");
@@ -120,7 +120,7 @@ EnlargedPicture::EnlargedPicture(osgViewer::View& view, const osg::Camera& pictu
     _camera->setRenderOrder(osg::Camera::POST_RENDER, kAfterInside);
     _camera->setClearMask(0);
     _camera->setNodeMask(0);
-    _camera->setGraphicsContext(const_cast<osg::GraphicsContext*>(picture.getGraphicsContext()));
+    _camera->setGraphicsContext(picture.getGraphicsContext());
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(_part);
     _camera->addChild(geode);

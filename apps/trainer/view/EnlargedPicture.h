@@ -24,7 +24,7 @@ class EnlargedPicture
 {
 public:
     /// Adds a camera to the view that draws after `picture` into the same context.
-    EnlargedPicture(osgViewer::View& view, const osg::Camera& picture);
+    EnlargedPicture(osgViewer::View& view, osg::Camera& picture);
 
     /// Sets the place for the next picture. Nothing is spread where all pixels are drawn.
     void fit(const PicturePlace& place);
