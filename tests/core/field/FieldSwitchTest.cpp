@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/FieldSwitch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -103,7 +104,9 @@ TEST(FieldSwitch, MorphsFromRungToRungWithoutAJump)
     const LevelLadder& ladder = FieldSubject::torus().ladder;
     for (int i = 0; i < 400; ++i)
     {
-        const FieldDrawList drawList = walk.at(i < 200 ? 40.0 : 300.0);
+        // Quick, but no jump, after which a view settles at once.
+        const FieldDrawList drawList =
+            walk.at(i < 200 ? 40.0 : std::min(40.0 * std::pow(1.5, i - 199), 300.0));
         ASSERT_EQ(drawList.instances.size(), 1u);
         const std::uint32_t rung = drawList.runs[0].rung;
         const double at = rung + drawList.instances[0].transition[2];

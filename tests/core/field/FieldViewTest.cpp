@@ -107,6 +107,31 @@ TEST(FieldView, NeverSwitchesTwiceWhileTheEyeTrembles)
     }
 }
 
+/// An object seen from far away, then after one frame from near by.
+TEST(FieldView, SettlesAtOnceWhereTheEyeHasJumpedTo)
+{
+    FieldModel model = modelWith(SelectionMethod::continuous);
+    model.switching.method = SwitchMethod::geomorph;
+    const Field field({model}, {FieldObject{}});
+    const auto switchingAfter = [&](double fromM, double toM)
+    {
+        FieldView memory(field);
+        std::uint32_t switching = 0;
+        for (std::uint64_t frame = 1; frame <= 2; ++frame)
+        {
+            const double distanceM = frame == 1 ? fromM : toM;
+            FieldCamera camera =
+                testsupport::cameraFrom(testsupport::viewTo({0.0, -distanceM, 0.0}, {0.0, 0.0, 0.0}), frame);
+            camera.stepS = 0.05F;
+            switching = memory.update(camera).switching;
+        }
+        return switching;
+    };
+    EXPECT_EQ(switchingAfter(400.0, 40.0), 0u);
+    EXPECT_EQ(switchingAfter(40.0, 400.0), 0u);
+    EXPECT_EQ(switchingAfter(400.0, 300.0), 1u) << "the control: one that comes nearer goes over gradually";
+}
+
 TEST(FieldView, KeepsWithinTheBudget)
 {
     const Field field = testsupport::scatteredField({modelWith(SelectionMethod::budget)}, 1500, 300.0);
@@ -214,9 +239,9 @@ TEST(FieldView, ForgetsWhatWasOutOfSight)
         return memory.update(testsupport::cameraFrom(testsupport::viewTo({0.0, -distance, 0.0}, {}), frame));
     };
     at(50.0, 1);
-    at(200.0, 2);
-    EXPECT_EQ(at(200.0, 3).switching, 1u);
-    EXPECT_EQ(at(200.0, 9).switching, 0u) << "nobody saw how it got there";
+    at(90.0, 2);
+    EXPECT_EQ(at(90.0, 3).switching, 1u);
+    EXPECT_EQ(at(90.0, 9).switching, 0u) << "nobody saw how it got there";
 }
 
 } // namespace

@@ -156,6 +156,13 @@ protected:
                                                 glmOf(_viewer->camera().getProjectionMatrix()), 480, 360);
     }
 
+    /// From the distant view nearer in no time, by less than half of the distance in each frame: an eye that jumps sees no switch.
+    void approach(const osg::ref_ptr<ProgressiveField>& field)
+    {
+        for (const double backM : {260.0, 160.0, 100.0, 60.0, 35.0, 18.0, 8.0})
+            picture(field, 0.0, 0.0, backM);
+    }
+
     std::unique_ptr<osgOffscreen::OffscreenViewer> _viewer;
 };
 
@@ -214,13 +221,15 @@ TEST_F(FieldPictures, OfAScreenDoorHaveEveryPixelFromOneOfBothLevels)
     const osg::ref_ptr<ProgressiveField> blending = fieldOf(kinds(blend), instances());
     const osg::ref_ptr<ProgressiveField> hard = fieldOf(kinds(), instances());
     // First the distant view, at rest; then a step back to where levels are finer.
-    picture(blending, 0.0, 0.0, 260.0);
+    approach(blending);
     picture(blending, 0.0, 0.01, 0.0); // the next frame, in which the switch begins
     const auto half = picture(blending, 0.0, 0.51, 0.0);
     EXPECT_GT(blending->statistics().at(0).switching, 20u);
-    const auto settled = picture(blending, 0.0, 1.6, 0.0);
+    for (double timeS = 0.7; timeS < 4.0; timeS += 0.2)
+        picture(blending, 0.0, timeS, 0.0);
+    const auto settled = picture(blending, 0.0, 4.0, 0.0);
     EXPECT_EQ(blending->statistics().at(0).switching, 0u);
-    picture(hard, 0.0, 0.0, 260.0); // levels depend on the way, so it has to be the same
+    approach(hard); // levels depend on the way, so it has to be the same
     EXPECT_LE(osgOffscreen::compareImages(*settled, *picture(hard)).differingPixels, 16u);
     EXPECT_GT(osgOffscreen::compareImages(*half, *settled).differingPixels, 100u) << "nothing was switched";
     // The outlines of both levels differ by some pixels.
@@ -238,7 +247,7 @@ TEST_F(FieldPictures, OfAMorphBeginWhereTheCoarserLevelIs)
     const osg::ref_ptr<ProgressiveField> morphing =
         fieldOf(kinds({core::SwitchMethod::geomorph, core::BlendProfile::over, 1.0F, 0.0F}), instances());
     const osg::ref_ptr<ProgressiveField> hard = fieldOf(kinds(), instances());
-    picture(morphing, 0.0, 0.0, 260.0);
+    approach(morphing);
     const auto coarse = picture(morphing, 0.0, 0.001); // the next frame, in which the morph begins
     const auto begun = picture(morphing, 0.0, 0.0011);
     EXPECT_GT(morphing->statistics().at(0).switching, 20u);
@@ -247,7 +256,7 @@ TEST_F(FieldPictures, OfAMorphBeginWhereTheCoarserLevelIs)
     EXPECT_EQ(morphing->statistics().at(0).switching, 0u);
     const auto arrived = picture(morphing, 0.0, 6.2);
 
-    picture(hard, 0.0, 0.0, 260.0);
+    approach(hard);
     const auto fine = picture(hard);
     const auto switched = osgOffscreen::compareImages(*coarse, *fine);
     EXPECT_GT(switched.differingPixels, 1000u) << "there is something to switch";

@@ -87,13 +87,29 @@ void FieldView::choose(const FieldCamera& camera, FieldDrawList& drawList)
                                           _selections, camera.budget);
 }
 
+void FieldView::followEye(const FieldCamera& camera)
+{
+    if (camera.frame == _eyeFrame) return;
+    _movedM = _eyeFrame + 1 == camera.frame ? glm::distance(camera.view.distancesFrom, _eye) : 0.0;
+    _eye = camera.view.distancesFrom;
+    _eyeFrame = camera.frame;
+}
+
+bool FieldView::hasJumpedTo(std::uint32_t object, const FieldCamera& camera) const
+{
+    constexpr double kShare = 0.5; // of the distance
+    const glm::dvec3 centre = _field.spheres()[object].centre * camera.metresPerUnit;
+    return _movedM > kShare * glm::distance(centre, camera.view.distancesFrom);
+}
+
 DrawnLevels FieldView::advance(std::uint32_t object, const Selection& selection, const FieldCamera& camera)
 {
     const FieldModel& model = _field.models()[_field.objects()[object].model];
     Memory& memory = _memory[object];
     const std::uint32_t wanted = model.ladder->rungOf(selection.steps);
     const bool wasSeen = memory.frame == camera.frame || memory.frame + 1 == camera.frame;
-    if (!wasSeen) memory.state = SwitchState::at(wanted);
+    if (!wasSeen || (memory.frame != camera.frame && hasJumpedTo(object, camera)))
+        memory.state = SwitchState::at(wanted);
     const float stepS = memory.frame == camera.frame ? 0.0f : camera.stepS;
     memory.frame = camera.frame;
     memory.drawn = advanceOnLadder(memory.state, wanted, stepS, selection.alpha, _field.numberOf(object),
@@ -142,6 +158,7 @@ FieldDrawList FieldView::lend(const FieldCamera& camera, std::optional<double> p
 FieldDrawList FieldView::update(const FieldCamera& camera)
 {
     FieldDrawList drawList;
+    followEye(camera);
     findVisible(camera);
     choose(camera, drawList);
     FieldSorter sorter(_field);

@@ -27,7 +27,8 @@ struct FieldCamera
 };
 
 /// The state of one eye's view of a field: by object, the held level and the progress of its switch. An object that was not
-/// visible in the last frame begins at the level that its rule chooses, without a switch.
+/// visible in the last frame begins at the level that its rule chooses, without a switch, and so does one to which the eye has jumped: by more
+/// than half of its distance since the last frame.
 /// Threads: one at a time. The field must outlive it. Memory: 56 B an object, and some 300 B a visible object.
 class FieldView
 {
@@ -60,8 +61,14 @@ private:
     DrawnLevels advance(std::uint32_t object, const Selection& selection, const FieldCamera& camera);
     DrawnLevels lent(std::uint32_t object, const FieldCamera& camera, std::optional<double> pixelM);
 
+    void followEye(const FieldCamera& camera);
+    bool hasJumpedTo(std::uint32_t object, const FieldCamera& camera) const;
+
     const Field& _field;
     std::vector<Memory> _memory; ///< by object
+    glm::dvec3 _eye{0.0};        ///< of the last update, metres
+    std::uint64_t _eyeFrame = kNever;
+    double _movedM = 0.0; ///< by the eye since the frame before
     std::vector<BenefitCurve> _curves;
     std::optional<CostModel> _curvesCost;
     SceneSelector _selector;
