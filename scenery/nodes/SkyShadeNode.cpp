@@ -3,14 +3,13 @@
 
 #include <cmath>
 
-#include <osg/BlendFunc>
-#include <osg/Depth>
 #include <osg/Geode>
 #include <osg/Program>
 
-#include <osgTerrainROAM/Atmosphere>
 #include <osgTerrainROAM/SunShadows>
 #include <shaders/scenery.h>
+
+#include "scenery/nodes/Darkening.h"
 
 namespace scenery
 {
@@ -28,13 +27,9 @@ std::pair<int, int> cellOf(const glm::dvec2& place)
 
 osg::ref_ptr<osg::StateSet> patchState()
 {
-    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(makeSkyShadeProgram());
+    constexpr int kBin = 8; // after the ground, before shadows of what moves
+    osg::ref_ptr<osg::StateSet> state = makeDarkeningState(makeSkyShadeProgram(), kBin);
     state->addUniform(new osg::Uniform("skyShadeReachM", static_cast<float>(SkyShadeNode::kReachM)));
-    state->setAttributeAndModes(new osg::BlendFunc(GL_ZERO, GL_SRC_COLOR));
-    state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
-    state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
-    state->setRenderBinDetails(8, "RenderBin"); // after the ground, before shadows of what moves
     return state;
 }
 
@@ -42,14 +37,7 @@ osg::ref_ptr<osg::StateSet> patchState()
 
 osg::ref_ptr<osg::Program> makeSkyShadeProgram()
 {
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("sky shade");
-    const std::string version = "#version 130\n";
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kShadowVertexMain));
-    program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() +
-                                                   shaders::kDarkening + shaders::kSkyShadeMain));
-    return program;
+    return makeDarkeningProgram("sky shade", shaders::kSkyShadeMain);
 }
 
 SkyShadeNode::SkyShadeNode(SkyHiders hiders, SkyShadeGround ground)

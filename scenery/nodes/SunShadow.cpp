@@ -7,14 +7,13 @@
 
 #include <foundation/Angle.h>
 
-#include <osg/BlendFunc>
-#include <osg/Depth>
 #include <osg/Geode>
 #include <osg/Program>
 #include <osg/Texture2D>
 
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
+
+#include "scenery/nodes/Darkening.h"
 
 namespace scenery
 {
@@ -34,14 +33,10 @@ osg::ref_ptr<osg::StateSet> shadowState(osg::Image& mask)
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     texture->setResizeNonPowerOfTwoHint(false);
-    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(makeSunShadowProgram());
+    constexpr int kBin = 9; // after the ground, before what is seen through
+    osg::ref_ptr<osg::StateSet> state = makeDarkeningState(makeSunShadowProgram(), kBin);
     state->setTextureAttributeAndModes(0, texture);
     state->addUniform(new osg::Uniform("shadowMask", 0));
-    state->setAttributeAndModes(new osg::BlendFunc(GL_ZERO, GL_SRC_COLOR));
-    state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
-    state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
-    state->setRenderBinDetails(9, "RenderBin"); // after the ground, before what is seen through
     return state;
 }
 
@@ -66,14 +61,7 @@ glm::dmat3 levelAxes(const glm::dmat3& body)
 
 osg::ref_ptr<osg::Program> makeSunShadowProgram()
 {
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("shadow");
-    const std::string version = "#version 130\n";
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kShadowVertexMain));
-    program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() +
-                                                   shaders::kDarkening + shaders::kShadowMain));
-    return program;
+    return makeDarkeningProgram("shadow", shaders::kShadowMain);
 }
 
 SunShadow::SunShadow()
