@@ -77,6 +77,11 @@ PictureFacts factsOf(const std::filesystem::path& png)
     return {image.s(), image.t(), colours.size()};
 }
 
+std::size_t hashOf(const std::filesystem::path& file)
+{
+    return std::hash<std::string>()(readBytes(file));
+}
+
 std::vector<std::string> keysOf(const nlohmann::ordered_json& object)
 {
     std::vector<std::string> keys;

@@ -29,6 +29,9 @@ Playing playedAs(const Workplace& place, const std::string& name, const std::vec
 /// The bytes of every file in a folder, by name.
 std::map<std::string, std::string> bytesIn(const std::filesystem::path& folder);
 
+/// A hash of all bytes of a file: a difference is told in one line.
+std::size_t hashOf(const std::filesystem::path& file);
+
 /// Statistics without the columns that a clock fills.
 nlohmann::json withoutMeasured(nlohmann::json statistics);
 
