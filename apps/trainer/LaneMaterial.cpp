@@ -16,7 +16,7 @@ namespace
 
 using simulation::GroundKind;
 
-constexpr std::array<std::pair<std::string_view, GroundKind>, 14> kSurfaces{
+constexpr std::array<std::pair<std::string_view, GroundKind>, 14> kLaneSurfaces{
     {{"asphalt", GroundKind::asphalt},
      {"concrete", GroundKind::asphalt},
      {"pavement", GroundKind::asphalt},
@@ -42,7 +42,7 @@ bool saysMaterial(const std::vector<osgRoads::core::Lane>& lanes)
 
 std::optional<GroundKind> groundKindOf(std::string_view surface)
 {
-    for (const auto& [name, kind] : kSurfaces)
+    for (const auto& [name, kind] : kLaneSurfaces)
         if (name == surface) return kind;
     return std::nullopt;
 }

@@ -10,7 +10,7 @@ namespace scenery
 namespace
 {
 
-constexpr std::uint32_t kTriesEach = 10;
+constexpr std::uint32_t kTriesEachPlace = 10;
 
 } // namespace
 
@@ -26,8 +26,8 @@ void park(Site& site, std::uint32_t wanted)
             lengthM += glm::length(street.line.back() - street.line.front());
         }
     models::Dice& dice = site.dice();
-    for (std::uint32_t tries = streets.empty() ? 0 : wanted * kTriesEach; tries > 0 && site.placed() < wanted;
-         --tries)
+    for (std::uint32_t tries = streets.empty() ? 0 : wanted * kTriesEachPlace;
+         tries > 0 && site.placed() < wanted; --tries)
     {
         double at = dice.between(0.0, lengthM);
         std::size_t number = 0;

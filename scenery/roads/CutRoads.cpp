@@ -25,7 +25,8 @@ using osgTerrainROAM::core::PlacedTile;
 using osgTerrainROAM::core::PlanBox;
 
 constexpr double kBoxStepM = 15.0;
-constexpr double kMarginM = 2.0; ///< by which earthworks may be larger between the places that are looked at
+constexpr double kEarthworkMarginM =
+    2.0; ///< by which earthworks may be larger between the places that are looked at
 constexpr double kLeastRiseM = 0.05; ///< smaller ones are left out
 
 /// Where tunnels of a network come out. Frame: the scene's, x and y.
@@ -58,7 +59,7 @@ bool boxAt(const PlacedTile& tile, const PlacedNetwork& roads, int road, double 
         isOnTile = true;
         earthworkM = std::max(earthworkM, std::abs(ground->position.z - place.z));
     }
-    const double besideM = shape.bed.vergeM + RoadEdges::reachOf(earthworkM + kMarginM, shape);
+    const double besideM = shape.bed.vergeM + RoadEdges::reachOf(earthworkM + kEarthworkMarginM, shape);
     box = box.grownBy(besideM + 0.5 * kBoxStepM);
     return isOnTile;
 }

@@ -6,7 +6,7 @@ namespace simulation
 namespace
 {
 
-bool isOfType(const ScenarioObject& object, const std::string& type)
+bool isOfSelectedType(const ScenarioObject& object, const std::string& type)
 {
     if (type == "vehicle") return std::holds_alternative<Vehicle>(object.object);
     if (type == "pedestrian") return std::holds_alternative<Pedestrian>(object.object);
@@ -31,7 +31,7 @@ std::vector<std::string> parseSelection(ElementReader reader, const std::vector<
             ElementReader type(reader.context, node);
             const std::string word = type.has("objectType") ? type.text("objectType") : type.text("type");
             for (const ScenarioObject& object : objects)
-                if (isOfType(object, word)) names.push_back(object.name);
+                if (isOfSelectedType(object, word)) names.push_back(object.name);
         }
     if (names.empty())
         reader.context.invalid(reader.node, "the EntitySelection has no members",

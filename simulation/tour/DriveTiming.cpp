@@ -12,7 +12,7 @@ namespace
 constexpr double kSidewaysMps2 = 2.0;
 constexpr double kAlongMps2 = 1.5;
 constexpr double kVertexEveryS = 0.5;
-constexpr double kSlowestMps = 0.5; ///< of a step, so that a way to a stop takes no endless time
+constexpr double kSlowestDriveMps = 0.5; ///< of a step, so that a way to a stop takes no endless time
 
 /// Of the circle through three places; 0 on a line.
 double curvature(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -61,7 +61,7 @@ std::vector<PathVertex> timedVertices(const std::vector<WayPoint>& way, const st
     double time = 0.0;
     for (std::size_t i = 0; i + 1 < way.size(); ++i)
     {
-        const double mean = std::max(kSlowestMps, 0.5 * (speedMps[i] + speedMps[i + 1]));
+        const double mean = std::max(kSlowestDriveMps, 0.5 * (speedMps[i] + speedMps[i + 1]));
         const double takes = planDistance(way[i], way[i + 1]) / mean;
         for (double due = static_cast<double>(vertices.size()) * kVertexEveryS;
              due < time + takes && due <= durationS;

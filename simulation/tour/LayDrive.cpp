@@ -13,7 +13,7 @@ namespace simulation
 namespace
 {
 
-constexpr double kSpacingM = 4.0;
+constexpr double kStationSpacingM = 4.0;
 constexpr double kSmallestDistanceM = 20.0;
 /// The surface of a road that ends in the open wears off over its last 15 m; the front of the car is 4 m before its reference point, the
 /// rear wheels at it.
@@ -63,7 +63,7 @@ foundation::Result<Tour> layDrive(const TourTerrain& terrain, const DriveOptions
     if (!(glm::length(options.toM - options.fromM) >= kSmallestDistanceM) || !(options.durationS >= 1.0))
         return foundation::Error{"drive", "too short a way or time", "give 20 m and 1 s at least"};
     std::vector<WayPoint> way;
-    for (const glm::dvec2& at : gentleTrack(terrain, options.fromM, options.toM, kSpacingM))
+    for (const glm::dvec2& at : gentleTrack(terrain, options.fromM, options.toM, kStationSpacingM))
         way.push_back({{at, terrain.heightM(at.x, at.y)}, options.largestSpeedMps});
     std::vector<double> speed = limitsOn(way);
     speed.front() = std::min(speed.front(), options.startSpeedMps);

@@ -23,9 +23,9 @@ using osgTerrainROAM::core::Earthwork;
 using osgTerrainROAM::core::Earthworks;
 
 constexpr double kStationM = 10.0;
-constexpr double kSlope = 1.0 / 3.0; ///< of cuttings and embankments
-constexpr double kSameM = 250.0;     ///< between the middles of a runway in two sources
-constexpr double kTaxiwayM = 15.0;   ///< wide, where the map does not say
+constexpr double kEarthworkSlope = 1.0 / 3.0; ///< of cuttings and embankments
+constexpr double kSameM = 250.0;              ///< between the middles of a runway in two sources
+constexpr double kTaxiwayM = 15.0;            ///< wide, where the map does not say
 constexpr double kTaxiwayPenalty =
     50.0; ///< of second differences of stations 10 m apart: humps of 50 m vanish
 constexpr double kPinned = 1e6;
@@ -148,7 +148,7 @@ Earthwork lineWork(std::vector<glm::dvec2> line, std::vector<double> heightsM, d
     work.paths = {std::move(line)};
     work.heightsM = {std::move(heightsM)};
     work.widthM = widthM;
-    work.slope = kSlope;
+    work.slope = kEarthworkSlope;
     return work;
 }
 
@@ -234,7 +234,7 @@ std::optional<Earthwork> apronWork(const PlanRings& rings, const PlanHeight& gro
     slope *= std::min(1.0, kApronSlope / std::max(glm::length(slope), 1e-9));
     Earthwork work;
     work.isArea = true;
-    work.slope = kSlope;
+    work.slope = kEarthworkSlope;
     work.paths = rings;
     for (const auto& ring : rings)
     {

@@ -33,7 +33,7 @@ constexpr double kShore = 0.25; ///< of the shores that reach to the ground
 constexpr double kBank = 0.8;   ///< of a river's banks
 constexpr double kRiseM = 0.5;
 constexpr double kShoreShare = 0.05; ///< of the shore's ground is lower than a lake
-constexpr double kTouchM = 1.0;      ///< between areas of one lake, at most
+constexpr double kLakeTouchM = 1.0;  ///< between areas of one lake, at most
 constexpr double kBedM = 2.0;        ///< a bed is wider than what is painted
 constexpr std::size_t kPiece = 6;    ///< points of a river of one width
 
@@ -141,11 +141,12 @@ private:
         const WaterArea* found = nullptr;
         const MapBox box = boxOf(area.rings.front());
         const auto polygon = polygonOf(area.rings);
-        _grid.near({box.low - kTouchM, box.high + kTouchM},
+        _grid.near({box.low - kLakeTouchM, box.high + kLakeTouchM},
                    [&](std::size_t i)
                    {
                        if (found || area.isRiver || _areas[i].isRiver) return;
-                       if (polygon->Distance(polygonOf(_areas[i].rings).get()) < kTouchM) found = &_areas[i];
+                       if (polygon->Distance(polygonOf(_areas[i].rings).get()) < kLakeTouchM)
+                           found = &_areas[i];
                    });
         return found;
     }

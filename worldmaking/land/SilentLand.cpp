@@ -14,7 +14,7 @@ namespace worldmaking
 namespace
 {
 
-constexpr double kLookM = 60.0; ///< between the heights that slopes are taken from
+constexpr double kSlopeLookM = 60.0; ///< between the heights that slopes are taken from
 constexpr double kPatchM = 500.0;
 constexpr double kRoadM = 15.0;
 constexpr std::uint64_t kSeed = 5;
@@ -31,11 +31,11 @@ public:
     };
     std::optional<Land> at(const glm::dvec2& place)
     {
-        const glm::dvec2 square = glm::floor(place / kLookM);
+        const glm::dvec2 square = glm::floor(place / kSlopeLookM);
         const auto middle = cornerM(square), east = cornerM(square + glm::dvec2(1, 0)),
                    north = cornerM(square + glm::dvec2(0, 1));
         if (!middle || !east || !north) return std::nullopt;
-        return Land{*middle, std::hypot(*east - *middle, *north - *middle) / kLookM};
+        return Land{*middle, std::hypot(*east - *middle, *north - *middle) / kSlopeLookM};
     }
 
 private:
@@ -44,7 +44,7 @@ private:
         const auto key = static_cast<std::uint64_t>(static_cast<std::int64_t>(square.x)) << 32U ^
                          static_cast<std::uint32_t>(static_cast<std::int64_t>(square.y));
         const auto [found, isNew] = _heights.try_emplace(key);
-        if (isNew) found->second = _height(kLookM * square);
+        if (isNew) found->second = _height(kSlopeLookM * square);
         return found->second;
     }
 

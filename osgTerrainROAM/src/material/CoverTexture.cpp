@@ -12,7 +12,7 @@ namespace osgTerrainROAM
 namespace
 {
 
-struct Level
+struct CoverLevel
 {
     int width, height;
     std::vector<unsigned char> kinds;
@@ -36,9 +36,9 @@ unsigned char mostOf(const std::array<unsigned char, 4>& four)
     return most;
 }
 
-Level halved(const Level& fine)
+CoverLevel halved(const CoverLevel& fine)
 {
-    Level coarse{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
+    CoverLevel coarse{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
     for (int y = 0; y < coarse.height; ++y)
         for (int x = 0; x < coarse.width; ++x)
             coarse.kinds.push_back(mostOf({fine.at(2 * x, 2 * y), fine.at(2 * x + 1, 2 * y),
@@ -50,7 +50,7 @@ Level halved(const Level& fine)
 
 osg::ref_ptr<osg::Image> coverImage(const core::CoverMap& map)
 {
-    std::vector<Level> levels{{map.width, map.height, {}}};
+    std::vector<CoverLevel> levels{{map.width, map.height, {}}};
     for (const core::GroundKind kind : map.kinds)
         levels[0].kinds.push_back(static_cast<unsigned char>(kind));
     while (levels.back().width > 1 || levels.back().height > 1)
@@ -58,14 +58,14 @@ osg::ref_ptr<osg::Image> coverImage(const core::CoverMap& map)
 
     osg::Image::MipmapDataType offsets;
     std::size_t bytes = 0;
-    for (const Level& level : levels)
+    for (const CoverLevel& level : levels)
     {
         if (bytes > 0) offsets.push_back(static_cast<unsigned>(bytes));
         bytes += level.kinds.size();
     }
     auto* data = new unsigned char[bytes];
     std::size_t at = 0;
-    for (const Level& level : levels)
+    for (const CoverLevel& level : levels)
     {
         std::memcpy(data + at, level.kinds.data(), level.kinds.size());
         at += level.kinds.size();

@@ -10,6 +10,7 @@
 #include <gdal_priv.h>
 
 #include "../core/cover/PixelNet.h"
+#include "../core/heightfield/DatasetPtr.h"
 #include "../core/heightfield/GdalSession.h"
 #include "ParallelRows.h"
 
@@ -23,12 +24,6 @@ using foundation::Error;
 using foundation::Result;
 
 constexpr int kMaxSide = 8192; ///< texels; 256 MiB at four bytes
-
-struct DatasetCloser
-{
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
 
 /// The pixels of the image as RGBA, at a reduced resolution where it is too large.
 struct Pixels
@@ -187,7 +182,7 @@ Result<ImageryLayer> laid(const std::filesystem::path& file, const core::PlacedT
     core::GdalSession session;
     GDALAllRegister();
     const std::string name = file.string();
-    const DatasetPtr dataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+    const core::DatasetPtr dataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
     if (!dataset || dataset->GetRasterCount() < 1)
         return Error{name, session.firstError().empty() ? "is no raster GDAL can open" : session.firstError(),
                      "give an image or a georeferenced raster"};

@@ -13,7 +13,7 @@ namespace osgTerrainROAM
 namespace
 {
 
-struct Level
+struct HeightLevel
 {
     int width, height;
     MapField values;
@@ -34,9 +34,9 @@ struct Level
     }
 };
 
-Level halved(const Level& fine)
+HeightLevel halved(const HeightLevel& fine)
 {
-    Level coarse{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
+    HeightLevel coarse{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
     coarse.values.resize(static_cast<std::size_t>(coarse.width) * coarse.height);
     // The filter is a tent of 4×4 texels, so that bilinear interpolation shows no squares.
     constexpr float kTent[4] = {0.125f, 0.375f, 0.375f, 0.125f};
@@ -72,7 +72,7 @@ MapField hollowness(const MapField& heights, const MapGrid& grid, double spacing
 {
     constexpr int kScales = 6;
     MapField hollow(heights.size(), 0.0f);
-    Level level{grid.width, grid.height, heights};
+    HeightLevel level{grid.width, grid.height, heights};
     for (int k = 1; k <= kScales && std::min(level.width, level.height) > 2; ++k)
     {
         level = halved(level);

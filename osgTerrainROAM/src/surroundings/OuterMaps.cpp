@@ -16,7 +16,7 @@ namespace osgTerrainROAM
 namespace
 {
 
-constexpr int kSide = OuterAxis::kTexels;
+constexpr int kMapSide = OuterAxis::kTexels;
 
 unsigned char shareByte(double share)
 {
@@ -26,7 +26,7 @@ unsigned char shareByte(double share)
 osg::ref_ptr<osg::Image> squareImage(GLenum format, GLenum type, GLint internal)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(kSide, kSide, 1, format, type);
+    image->allocateImage(kMapSide, kMapSide, 1, format, type);
     image->setInternalTextureFormat(internal);
     return image;
 }
@@ -40,15 +40,15 @@ public:
         : _ground(ground),
           _rule(climate, ground.spacingM()),
           _sunSide(climate.latitudeDeg < 0.0 ? 1.0 : -1.0),
-          _sites(static_cast<std::size_t>(kSide) * kSide)
+          _sites(static_cast<std::size_t>(kMapSide) * kMapSide)
     {
-        for (int i = 0; i < kSide; ++i)
+        for (int i = 0; i < kMapSide; ++i)
             _at.emplace_back(columns.gridAt(i), rows.gridAt(i));
-        parallelRows(kSide,
+        parallelRows(kMapSide,
                      [&](int first, int end)
                      {
                          for (int y = first; y < end; ++y)
-                             for (int x = 0; x < kSide; ++x)
+                             for (int x = 0; x < kMapSide; ++x)
                                  _sites[index(x, y)] = _ground.at({_at[x].x, _at[y].y});
                      });
     }
@@ -71,12 +71,12 @@ public:
     }
 
 private:
-    static std::size_t index(int x, int y) { return static_cast<std::size_t>(y) * kSide + x; }
+    static std::size_t index(int x, int y) { return static_cast<std::size_t>(y) * kMapSide + x; }
 
     glm::dvec2 gradientAt(int x, int y) const
     {
-        const int west = std::max(x - 1, 0), east = std::min(x + 1, kSide - 1);
-        const int south = std::max(y - 1, 0), north = std::min(y + 1, kSide - 1);
+        const int west = std::max(x - 1, 0), east = std::min(x + 1, kMapSide - 1);
+        const int south = std::max(y - 1, 0), north = std::min(y + 1, kMapSide - 1);
         const glm::dvec2 perGrid((_sites[index(east, y)].heightM - _sites[index(west, y)].heightM) /
                                      (_at[east].x - _at[west].x),
                                  (_sites[index(x, north)].heightM - _sites[index(x, south)].heightM) /
@@ -99,11 +99,11 @@ OuterMaps outerMaps(const OuterGround& ground, const OuterAxis& columns, const O
     OuterMaps maps{squareImage(GL_RG, GL_UNSIGNED_SHORT, GL_RG16),
                    squareImage(GL_RGBA, GL_UNSIGNED_BYTE, GL_RGBA8)};
     const MapWriter writer(ground, columns, rows, climate);
-    parallelRows(kSide,
+    parallelRows(kMapSide,
                  [&](int first, int end)
                  {
                      for (int y = first; y < end; ++y)
-                         for (int x = 0; x < kSide; ++x)
+                         for (int x = 0; x < kMapSide; ++x)
                              writer.write(x, y, maps);
                  });
     return maps;

@@ -16,8 +16,8 @@ namespace scenery::models
 namespace
 {
 
-constexpr int kCellPx = 256;
-const glm::vec4 kFrame(0.93F, 0.93F, 0.92F, 1.0F);
+constexpr int kDetailCellPx = 256;
+const glm::vec4 kWindowFrame(0.93F, 0.93F, 0.92F, 1.0F);
 const glm::vec4 kSeam(0.30F, 0.30F, 0.30F, 1.0F);
 
 /// Paints one cell of the atlas. Units of its functions: shares of the cell's size.
@@ -27,16 +27,17 @@ public:
     CellPainter(Canvas& painted, Detail detail) : canvas(painted)
     {
         const auto number = static_cast<int>(detail);
-        _corner = glm::ivec2(number % kDetailColumns, number / kDetailColumns) * kCellPx;
-        canvas.setFrame(glm::vec2(_corner), glm::vec2(kCellPx));
+        _corner = glm::ivec2(number % kDetailColumns, number / kDetailColumns) * kDetailCellPx;
+        canvas.setFrame(glm::vec2(_corner), glm::vec2(kDetailCellPx));
     }
 
     void fill(const glm::vec3& colour, float tinted, float grain, const glm::ivec2& cells)
     {
-        for (int y = 0; y < kCellPx; ++y)
-            for (int x = 0; x < kCellPx; ++x)
+        for (int y = 0; y < kDetailCellPx; ++y)
+            for (int x = 0; x < kDetailCellPx; ++x)
             {
-                const glm::vec2 uv(static_cast<float>(x) / kCellPx, static_cast<float>(y) / kCellPx);
+                const glm::vec2 uv(static_cast<float>(x) / kDetailCellPx,
+                                   static_cast<float>(y) / kDetailCellPx);
                 const float light = 1.0F + grain * (tiledCloud(uv, cells, 3, 103) - 0.5F);
                 canvas.pixel(_corner.x + x, _corner.y + y) = glm::vec4(colour * light, tinted);
             }
@@ -76,7 +77,7 @@ private:
 void paintWindow(Canvas& canvas, Detail detail, int sashes, int rows, bool hasCurtain)
 {
     CellPainter cell(canvas, detail);
-    cell.fill(glm::vec3(kFrame), 1.0F, 0.04F, {8, 8});
+    cell.fill(glm::vec3(kWindowFrame), 1.0F, 0.04F, {8, 8});
     const float sash = 0.92F / static_cast<float>(sashes);
     for (int s = 0; s < sashes; ++s)
     {
@@ -89,7 +90,7 @@ void paintWindow(Canvas& canvas, Detail detail, int sashes, int rows, bool hasCu
         for (int row = 1; row < rows; ++row)
         {
             const float y = glm::mix(low.y, high.y, static_cast<float>(row) / static_cast<float>(rows));
-            canvas.rectangle({low.x, y - 0.012F}, {high.x, y + 0.012F}, kFrame);
+            canvas.rectangle({low.x, y - 0.012F}, {high.x, y + 0.012F}, kWindowFrame);
         }
     }
 }
@@ -138,7 +139,7 @@ void paintDoors(Canvas& canvas)
 
 Picture paintHouseDetails()
 {
-    Canvas canvas(kCellPx * kDetailColumns, kCellPx * kDetailColumns, glm::vec4(1.0F));
+    Canvas canvas(kDetailCellPx * kDetailColumns, kDetailCellPx * kDetailColumns, glm::vec4(1.0F));
     paintWindow(canvas, Detail::window, 2, 1, true);
     paintWindow(canvas, Detail::barsWindow, 2, 3, true);
     paintWindow(canvas, Detail::hallWindow, 5, 1, false);

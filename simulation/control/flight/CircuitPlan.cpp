@@ -12,10 +12,10 @@ namespace simulation
 namespace
 {
 
-constexpr double kOffsetM = 1000.0;                      ///< of the downwind leg from the centre line
-constexpr double kMostPatternM = 450.0, kClearM = 100.0; ///< above the runway, above the ground below
-constexpr double kLeastTurnM = 120.0;                    ///< above the runway, below which nothing turns
-constexpr double kBaseM = 2000.0;                        ///< of the base leg before the threshold
+constexpr double kOffsetM = 1000.0;                              ///< of the downwind leg from the centre line
+constexpr double kMostPatternM = 450.0, kClearOfGroundM = 100.0; ///< above the runway, above the ground below
+constexpr double kLeastTurnM = 120.0; ///< above the runway, below which nothing turns
+constexpr double kBaseM = 2000.0;     ///< of the base leg before the threshold
 constexpr double kPatternMps = 43.0, kBaseMps = 36.0;
 constexpr double kTurnBankRad = 0.30; ///< for which turns are begun ahead
 
@@ -42,7 +42,7 @@ double needOn(const RunwayStrip& runway, const Ground& ground, double side)
             ground.heightsBelow({&place, 1}, {&below, 1});
             if (below.isKnown) highestM = std::max(highestM, below.heightM);
         }
-    return highestM + kClearM - runway.threshold.z;
+    return highestM + kClearOfGroundM - runway.threshold.z;
 }
 
 } // namespace

@@ -11,7 +11,7 @@ namespace
 
 constexpr double kReachedM = 0.1;
 constexpr double kSpringPerM = 0.4; ///< of the greatest acceleration
-constexpr double kNoLimit = 1e9;
+constexpr double kNoRateLimit = 1e9;
 
 /// Keeps the distance to the other entity along the road: at once without limits, else with the accelerations that are
 /// allowed.
@@ -65,11 +65,11 @@ private:
         const double now = actor.state().speedMps;
         const double pull = excess * spring - (now - lead.speedMps) * 2.0 * std::sqrt(spring);
         const double wanted = std::clamp(pull, -slower, faster);
-        const double down = limits.maxDecelerationRateMps3.value_or(kNoLimit) * scene.stepS();
-        const double up = limits.maxAccelerationRateMps3.value_or(kNoLimit) * scene.stepS();
+        const double down = limits.maxDecelerationRateMps3.value_or(kNoRateLimit) * scene.stepS();
+        const double up = limits.maxAccelerationRateMps3.value_or(kNoRateLimit) * scene.stepS();
         if (wanted < 0.0) _accelerationMps2 = std::max(wanted, _accelerationMps2 - down);
         if (wanted >= 0.0) _accelerationMps2 = std::min(wanted, _accelerationMps2 + up);
-        const double bound = most > 0.0 ? most : kNoLimit;
+        const double bound = most > 0.0 ? most : kNoRateLimit;
         actor.setSpeed(std::clamp(now + _accelerationMps2 * scene.stepS(), -bound, bound), scene.timeS());
         return !_action.isContinuous && std::fabs(excess) < kReachedM;
     }

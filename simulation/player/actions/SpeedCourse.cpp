@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr double kShortestS = 1e-9;
-constexpr double kNoLimit = 1e9; ///< of the change of acceleration, m/s³
+constexpr double kNoJerkLimit = 1e9; ///< of the change of acceleration, m/s³
 
 } // namespace
 
@@ -52,8 +52,8 @@ void SpeedCourse::addSmooth(const std::vector<Piece>& lines, const DynamicConstr
         const Piece& next = lines[i];
         const double bend = next.accelerationMps2 - line.accelerationMps2;
         if (std::fabs(bend) < kShortestS) continue;
-        const double most = bend > 0.0 ? constraints.maxAccelerationRateMps3.value_or(kNoLimit)
-                                       : constraints.maxDecelerationRateMps3.value_or(kNoLimit);
+        const double most = bend > 0.0 ? constraints.maxAccelerationRateMps3.value_or(kNoJerkLimit)
+                                       : constraints.maxDecelerationRateMps3.value_or(kNoJerkLimit);
         const double takes = std::fabs(bend) / std::max(most, kShortestS);
         double start = 0.0;
         if (i > 0)

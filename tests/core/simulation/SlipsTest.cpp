@@ -38,7 +38,7 @@ class Slips : public testing::TestWithParam<Slip>
 {
 };
 
-std::vector<Problem> problemsIn(const std::string& text)
+std::vector<Problem> slipsIn(const std::string& text)
 {
     const auto parsed = parseScenario(text, "test.xosc", {.tolerant = true, .parameters = {}});
     EXPECT_TRUE(parsed) << parsed.error().message();
@@ -65,7 +65,7 @@ TEST_P(Slips, AreToldAndTheOneReadingIsPlayed)
     const std::size_t at = text.find(GetParam().replaced);
     ASSERT_NE(at, std::string::npos);
     text.replace(at, std::string(GetParam().replaced).size(), GetParam().by);
-    const auto problems = problemsIn(text);
+    const auto problems = slipsIn(text);
     ASSERT_EQ(problems.size(), 1u) << (problems.empty() ? "" : problems.back().error.message());
     EXPECT_EQ(problems[0].kind, Problem::Kind::assumed);
     EXPECT_NE(problems[0].error.what.find(GetParam().what), std::string::npos) << problems[0].error.message();
@@ -147,7 +147,7 @@ TEST(Slips, WhatTheMotionHangsOnIsRefusedAsBefore)
         text.replace(at, std::string(good).size(), bad);
         if (std::string(bad).starts_with("dynamicsShape"))
             text.replace(text.find(" value=\"0.000000\""), 17, ""); // of a change that takes time
-        const auto problems = problemsIn(text);
+        const auto problems = slipsIn(text);
         EXPECT_TRUE(std::any_of(problems.begin(), problems.end(),
                                 [](const Problem& problem)
                                 { return problem.kind == Problem::Kind::invalid; }))
@@ -160,11 +160,11 @@ TEST(Slips, AnEmptyObjectControllerAndAnInitWithoutActionsAreNone)
 {
     ScenarioText text = soundText();
     text.entities.insert(text.entities.find("</ScenarioObject>"), "<ObjectController/>");
-    EXPECT_TRUE(problemsIn(text.text()).empty());
+    EXPECT_TRUE(slipsIn(text.text()).empty());
     std::string bare = text.text();
     const std::size_t from = bare.find("<Actions>"), to = bare.find("</Actions>") + 10;
     bare.erase(from, to - from);
-    EXPECT_TRUE(problemsIn(bare).empty());
+    EXPECT_TRUE(slipsIn(bare).empty());
 }
 
 TEST(Slips, RelativePositionsWithoutDistancesAreAtTheEntity)
@@ -175,7 +175,7 @@ TEST(Slips, RelativePositionsWithoutDistancesAreAtTheEntity)
     {
         ScenarioText text = soundText();
         text.privates += "</Private><Private entityRef=\"Lead\">" + teleport(position);
-        const auto problems = problemsIn(text.text());
+        const auto problems = slipsIn(text.text());
         ASSERT_EQ(problems.size(), 2u) << position;
         EXPECT_EQ(problems[0].kind, Problem::Kind::assumed);
         const auto player = roadplay::played(text, 0.0);
@@ -196,12 +196,12 @@ TEST(Slips, NumbersThatOnlyBoundMayHaveNoBound)
                 "<StopTrigger><ConditionGroup><Condition name=\"c\" delay=\"0\" conditionEdge=\"none\">"
                 "<ByValueCondition><SimulationTimeCondition rule=\"greaterThan\" value=\"") +
             most + "\"/></ByValueCondition></Condition></ConditionGroup></StopTrigger>";
-        EXPECT_TRUE(problemsIn(text.text()).empty()) << most;
+        EXPECT_TRUE(slipsIn(text.text()).empty()) << most;
         EXPECT_NEAR(roadplay::played(text, 3.0)->timeS(), 3.0, 1e-9) << "it never stops";
     }
     ScenarioText text = soundText();
     text.privates = teleport("<WorldPosition x=\"INF\" y=\"0\"/>"); // the control: a place is no bound
-    EXPECT_EQ(problemsIn(text.text()).at(0).kind, Problem::Kind::invalid);
+    EXPECT_EQ(slipsIn(text.text()).at(0).kind, Problem::Kind::invalid);
 }
 
 TEST(Slips, AnOffsetWithoutDynamicsIsThereAtOnce)
@@ -211,8 +211,8 @@ TEST(Slips, AnOffsetWithoutDynamicsIsThereAtOnce)
         "go",
         R"(<PrivateAction><LateralAction><LaneOffsetAction continuous="false"><LaneOffsetTarget><AbsoluteTargetLaneOffset value="0.5"/></LaneOffsetTarget></LaneOffsetAction></LateralAction></PrivateAction>)",
         timeCondition(1.0)));
-    ASSERT_EQ(problemsIn(text.text()).size(), 1u);
-    EXPECT_EQ(problemsIn(text.text())[0].kind, Problem::Kind::assumed);
+    ASSERT_EQ(slipsIn(text.text()).size(), 1u);
+    EXPECT_EQ(slipsIn(text.text())[0].kind, Problem::Kind::assumed);
     EXPECT_NEAR(roadplay::played(text, 1.0)->entities()[0].position.y, -1.75, 1e-9);
     EXPECT_NEAR(roadplay::played(text, 1.1)->entities()[0].position.y, -1.25, 1e-9);
 }
@@ -223,11 +223,11 @@ TEST(Slips, ATimingWithoutAnyTimeIsNone)
     ScenarioText text = soundText();
     text.stories.clear();
     text.privates = speedAction(10.0) + followTrajectory(vertex(start) + vertex(far), kTiming);
-    ASSERT_EQ(problemsIn(text.text()).size(), 1u);
-    EXPECT_EQ(problemsIn(text.text())[0].kind, Problem::Kind::assumed);
+    ASSERT_EQ(slipsIn(text.text()).size(), 1u);
+    EXPECT_EQ(slipsIn(text.text())[0].kind, Problem::Kind::assumed);
     EXPECT_NEAR(roadplay::played(text, 2.0)->entities()[0].position.x, 20.0, 1e-6) << "by its speed";
     text.privates = speedAction(10.0) + followTrajectory(vertex(start, "0") + vertex(far), kTiming);
-    EXPECT_EQ(problemsIn(text.text()).at(0).kind, Problem::Kind::invalid) << "the control";
+    EXPECT_EQ(slipsIn(text.text()).at(0).kind, Problem::Kind::invalid) << "the control";
 }
 
 TEST(Slips, OfTwoVerticesAtOneTimeTheFirstIsKept)
@@ -237,13 +237,13 @@ TEST(Slips, OfTwoVerticesAtOneTimeTheFirstIsKept)
     ScenarioText text = soundText();
     text.stories.clear();
     text.privates = followTrajectory(at(0.0, "0") + at(10.0, "1") + at(11.0, "1") + at(20.0, "2"), kTiming);
-    const auto problems = problemsIn(text.text());
+    const auto problems = slipsIn(text.text());
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems[0].kind, Problem::Kind::assumed);
     EXPECT_NE(problems[0].error.what.find("vertex 3"), std::string::npos) << problems[0].error.message();
     EXPECT_NEAR(roadplay::played(text, 1.5)->entities()[0].position.x, 15.0, 1e-6);
     text.privates = followTrajectory(at(0.0, "0") + at(10.0, "1") + at(11.0, "0.5"), kTiming);
-    EXPECT_EQ(problemsIn(text.text()).at(0).kind, Problem::Kind::invalid) << "the control: times that fall";
+    EXPECT_EQ(slipsIn(text.text()).at(0).kind, Problem::Kind::invalid) << "the control: times that fall";
 }
 
 class Files : public testing::Test

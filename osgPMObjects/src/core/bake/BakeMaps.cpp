@@ -9,6 +9,7 @@
 #include <osgPMObjects/core/Parallel.h>
 #include <osgPMObjects/core/bake/BakeMaps.h>
 
+#include "../mesh/SmallMath.h"
 #include "FillTexels.h"
 #include "SurfaceMatch.h"
 #include "TexelOwners.h"
@@ -25,12 +26,6 @@ constexpr double kLeastNormal = 0.01; ///< below, corners look so different that
 glm::dvec3 geometricNormal(const Mesh& mesh, const Face& face)
 {
     return glm::cross(mesh.at(face, 1) - mesh.at(face, 0), mesh.at(face, 2) - mesh.at(face, 0));
-}
-
-glm::dvec3 unitOr0(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
 /// Returns the mean of the corners' normals, not normalised.

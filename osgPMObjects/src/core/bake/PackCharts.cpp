@@ -19,7 +19,7 @@ namespace
 
 constexpr int kTurnsTried = 24; ///< within a quarter turn
 constexpr int kScalesTried = 9; ///< bisections after a scale that fits has been found
-constexpr int kMostHalvings = 40;
+constexpr int kMostScaleHalvings = 40;
 
 using Line = std::array<glm::dvec2, 2>;
 
@@ -112,7 +112,7 @@ double largestScale(const std::vector<FlatChart>& flats, const PackSettings& set
     for (const FlatChart& flat : flats)
         longest = std::max(longest, flat.size.y);
     double tooLarge = longest > 0.0 ? settings.sizePx / longest : 1.0, fits = 0.0;
-    for (int i = 0; i < kMostHalvings && fits == 0.0; ++i)
+    for (int i = 0; i < kMostScaleHalvings && fits == 0.0; ++i)
     {
         corners = cornersAt(0.5 * tooLarge, flats, order, settings);
         (corners.empty() ? tooLarge : fits) = 0.5 * tooLarge;

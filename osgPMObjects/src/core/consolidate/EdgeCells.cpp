@@ -16,7 +16,7 @@ namespace
 
 /// The least number of faces for a thread.
 constexpr std::size_t kLeastFacesAThread = 16384;
-constexpr double kMostCells = 1 << 22;
+constexpr double kMostEdgeCells = 1 << 22;
 constexpr double kMostOfASide = 1024;
 
 } // namespace
@@ -26,7 +26,7 @@ EdgeCells::EdgeCells(const Extent& extent, double reach) : _reach(reach), _low(e
     const glm::dvec3 size = extent.high - extent.low + 2.0 * reach;
     _cell = std::max(glm::length(size) / kMostOfASide, 1e-300);
     const auto counts = [&] { return glm::floor(size / _cell) + 1.0; };
-    for (glm::dvec3 n = counts(); n.x * n.y * n.z > kMostCells; n = counts())
+    for (glm::dvec3 n = counts(); n.x * n.y * n.z > kMostEdgeCells; n = counts())
         _cell *= 1.25;
     _count = glm::ivec3(counts());
     const auto cells = static_cast<std::size_t>(_count.x) * static_cast<std::size_t>(_count.y) *

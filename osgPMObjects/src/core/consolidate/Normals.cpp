@@ -12,17 +12,13 @@
 #include <osgPMObjects/core/mesh/UnionFind.h>
 #include <osgPMObjects/core/mesh/Wedge.h>
 
+#include "../mesh/SmallMath.h"
+
 namespace osgPMObjects::core
 {
 
 namespace
 {
-
-glm::dvec3 unitOr0(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0.0 ? v / length : glm::dvec3(0.0);
-}
 
 class Smoother
 {

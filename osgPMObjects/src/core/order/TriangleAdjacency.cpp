@@ -12,14 +12,14 @@ namespace
 {
 
 /// One side of an edge: the triangle that it belongs to, and its direction.
-struct Side
+struct FaceSide
 {
     std::uint32_t high;
     bool isDown; ///< true if it runs from its higher vertex number to the lower
     std::uint32_t triangle;
     std::uint8_t edge;
 
-    bool operator<(const Side& other) const
+    bool operator<(const FaceSide& other) const
     {
         return std::tie(high, isDown, triangle, edge) <
                std::tie(other.high, other.isDown, other.triangle, other.edge);
@@ -30,7 +30,7 @@ struct Side
 struct SidesByVertex
 {
     std::vector<std::uint32_t> first;
-    std::vector<Side> sides;
+    std::vector<FaceSide> sides;
 };
 
 SidesByVertex sidesByVertex(std::span<const Triangle> triangles)
@@ -45,14 +45,14 @@ SidesByVertex sidesByVertex(std::span<const Triangle> triangles)
             for (std::uint8_t edge = 0; edge < 3 && !repeatsCorner(triangles[t]); ++edge)
             {
                 const std::uint32_t a = triangles[t][edge], b = triangles[t][(edge + 1) % 3];
-                visit(std::min(a, b), Side{std::max(a, b), a > b, t, edge});
+                visit(std::min(a, b), FaceSide{std::max(a, b), a > b, t, edge});
             }
     };
-    forEach([&](std::uint32_t low, const Side&) { ++by.first[low + 2]; });
+    forEach([&](std::uint32_t low, const FaceSide&) { ++by.first[low + 2]; });
     for (std::size_t i = 2; i < by.first.size(); ++i)
         by.first[i] += by.first[i - 1];
     by.sides.resize(by.first.back());
-    forEach([&](std::uint32_t low, const Side& side) { by.sides[by.first[low + 1]++] = side; });
+    forEach([&](std::uint32_t low, const FaceSide& side) { by.sides[by.first[low + 1]++] = side; });
     return by;
 }
 

@@ -7,6 +7,7 @@
 
 #include <osgPMObjects/core/polish/PolishByImages.h>
 
+#include "../mesh/SmallMath.h"
 #include "TriangleRaster.h"
 
 namespace osgPMObjects::core
@@ -36,11 +37,6 @@ float texelAt(const MaterialLook& look, const glm::vec2& at)
     };
     const std::uint32_t x = wrapped(at.x, look.texelsWide), y = wrapped(at.y, look.texelsHigh);
     return static_cast<float>(look.texels[std::size_t{y} * look.texelsWide + x]) / 255.0f;
-}
-
-double squared(double x)
-{
-    return x * x;
 }
 
 } // namespace

@@ -17,7 +17,7 @@ namespace
 {
 
 /// The most neighbours of a position that are evaluated: those of the least quadric cost.
-constexpr std::size_t kMostTried = 24;
+constexpr std::size_t kMostRankedTried = 24;
 
 } // namespace
 
@@ -73,7 +73,7 @@ void ImageCollapser::rank(std::uint32_t position)
     std::sort(_ranked.begin(), _ranked.end(),
               [](const Ranked& a, const Ranked& b)
               { return a.shapeCost != b.shapeCost ? a.shapeCost < b.shapeCost : a.to < b.to; });
-    if (_ranked.size() > kMostTried) _ranked.resize(kMostTried);
+    if (_ranked.size() > kMostRankedTried) _ranked.resize(kMostRankedTried);
 }
 
 void ImageCollapser::enter(std::uint32_t position)

@@ -14,9 +14,9 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kFirstReach = 0.2;  ///< share of the mean length of the edges around
-constexpr double kLeastGain = 1e-6;  ///< squared luminance of a pixel: less is rounding
-constexpr std::uint32_t kNone = ~0u; ///< no position
+constexpr double kFirstReach = 0.2;          ///< share of the mean length of the edges around
+constexpr double kLeastLuminanceGain = 1e-6; ///< squared luminance of a pixel: less is rounding
+constexpr std::uint32_t kNoPosition = ~0u;   ///< no position
 
 } // namespace
 
@@ -66,12 +66,12 @@ bool PlaceMover::improve(Movable& movable)
     const Quadric quadric = starQuadric(_star, _state.positions, _state.weight,
                                         [](std::span<const Star::Side>) { return false; });
     glm::dvec3 best = here;
-    double least = -kLeastGain;
+    double least = -kLeastLuminanceGain;
     for (const glm::dvec3& way :
          {axes.towardsEye, -axes.towardsEye, axes.right, -axes.right, axes.up, -axes.up})
     {
         const glm::dvec3 at = glm::clamp(here + movable.reach * way, _state.box.low, _state.box.high);
-        if (foldsOver({_star, _state.positions, kNone, at})) continue;
+        if (foldsOver({_star, _state.positions, kNoPosition, at})) continue;
         planMove(at);
         const double change =
             _state.ring.change(_removed, _added) + _state.shapeScale * quadric.at(at - here);

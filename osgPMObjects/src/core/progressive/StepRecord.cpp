@@ -9,13 +9,13 @@ namespace osgPMObjects::core
 namespace
 {
 
-using Bytes = std::vector<std::byte>;
+using RecordBytes = std::vector<std::byte>;
 
 /// Writes the slots of a chain: the first in full, then differences.
 class ChainWriter
 {
 public:
-    ChainWriter(Bytes& bytes, int width) : _bytes(bytes), _width(width) {}
+    ChainWriter(RecordBytes& bytes, int width) : _bytes(bytes), _width(width) {}
 
     void write(std::uint32_t slot)
     {
@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    Bytes& _bytes;
+    RecordBytes& _bytes;
     int _width;
     bool _isFirst = true;
     std::int64_t _last = 0;
@@ -61,7 +61,7 @@ std::uint32_t codeOf(const Triangle& vanished, const StepRecord& step, std::span
     return VanishedFace::kPlain;
 }
 
-void appendChain(Bytes& bytes, const Rearrangement& chain, int slotWidth)
+void appendChain(RecordBytes& bytes, const Rearrangement& chain, int slotWidth)
 {
     appendNumber(bytes, (chain.slots.size() - 1) << 1 | 1);
     appendNumber(bytes, chain.blocks.front());
@@ -70,7 +70,7 @@ void appendChain(Bytes& bytes, const Rearrangement& chain, int slotWidth)
         slots.write(slot);
 }
 
-void appendRewrite(Bytes& bytes, const Rearrangement& rewrite, std::span<const SlotBlock> blocks)
+void appendRewrite(RecordBytes& bytes, const Rearrangement& rewrite, std::span<const SlotBlock> blocks)
 {
     appendNumber(bytes, rewrite.blocks.size() << 1);
     for (std::size_t b = 0; b < rewrite.blocks.size(); ++b)
@@ -97,7 +97,7 @@ void appendRewrite(Bytes& bytes, const Rearrangement& rewrite, std::span<const S
     }
 }
 
-void appendHead(Bytes& bytes, const StepRecord& step)
+void appendHead(RecordBytes& bytes, const StepRecord& step)
 {
     const std::size_t vanished = std::min<std::size_t>(step.vanished.size(), 3);
     const std::size_t patched = std::min<std::size_t>(step.patched.size(), 15);
@@ -113,7 +113,7 @@ void appendHead(Bytes& bytes, const StepRecord& step)
 }
 
 /// Appends the lists of slots, each ascending: patched faces by removed wedge, then vanished faces.
-void appendLists(Bytes& bytes, const StepRecord& step, int slotWidth)
+void appendLists(RecordBytes& bytes, const StepRecord& step, int slotWidth)
 {
     std::int64_t firstOfList = -1;
     const auto append = [&](std::span<const std::uint32_t> list)
@@ -136,7 +136,7 @@ void appendLists(Bytes& bytes, const StepRecord& step, int slotWidth)
     append(step.vanished);
 }
 
-void appendLength(Bytes& bytes, std::size_t length)
+void appendLength(RecordBytes& bytes, std::size_t length)
 {
     if (length <= 0xff) return appendFixed(bytes, length, 1);
     appendFixed(bytes, length, 4);
@@ -149,7 +149,7 @@ void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
                   std::span<const Triangle> patchedTriangles, std::uint32_t wedges,
                   std::span<const SlotBlock> blocks)
 {
-    Bytes& bytes = progressive.records;
+    RecordBytes& bytes = progressive.records;
     const std::size_t begin = bytes.size();
     const RecordWidths widths(progressive);
     appendHead(bytes, step);

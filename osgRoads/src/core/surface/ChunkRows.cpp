@@ -15,7 +15,7 @@ namespace osgRoads::core
 namespace
 {
 
-constexpr std::size_t kMostSteps = 512;
+constexpr std::size_t kMostRowSteps = 512;
 constexpr double kAlongShare = 0.1;   ///< of a gap along the road, to one across it
 constexpr double kLeastAreaM2 = 1e-9; ///< of a piece that has a normal
 
@@ -118,7 +118,7 @@ void ChunkRows::sample(double from, double to)
     _mayBeCovered = isNearOthers();
     const double longest = _mayBeCovered ? _settings.junctionStepM : _settings.chunkM;
     const double enoughM = _settings.errorM / kBetweenSamples;
-    for (std::size_t steps = 1; steps < kMostSteps; steps *= 2)
+    for (std::size_t steps = 1; steps < kMostRowSteps; steps *= 2)
     {
         const double step = (to - from) / static_cast<double>(steps);
         const bool isFine = step < 2.0 * _settings.shortestStepM || gapOfSteps(enoughM) <= enoughM;

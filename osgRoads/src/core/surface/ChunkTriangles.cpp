@@ -10,7 +10,7 @@ namespace
 {
 
 /// Half a step in each coordinate.
-constexpr double kRoundingM = 0.87 * RoadMesh::kMeshStepM;
+constexpr double kMeshRoundingM = 0.87 * RoadMesh::kMeshStepM;
 
 } // namespace
 
@@ -56,7 +56,7 @@ void ChunkTriangles::addLevels(RoadChunk& chunk)
         level.indexCount = static_cast<std::uint32_t>(_mesh.indices.size()) - level.firstIndex;
         for (std::size_t row = 0; row < _rows.rows().size(); ++row)
             error = std::max(error, _rows.gapAt(row, 2 * stride));
-        level.errorM = kBetweenSamples * error + kRoundingM;
+        level.errorM = kBetweenSamples * error + kMeshRoundingM;
         chunk.levels.push_back(level);
     }
 }

@@ -19,7 +19,7 @@ namespace osgRoads::core
 namespace
 {
 
-constexpr double kShortestPeriodM = 0.1; ///< a finer pattern is painted without gaps
+constexpr double kShortestPaintedPeriodM = 0.1; ///< a finer pattern is painted without gaps
 
 using Way = std::vector<glm::dvec2>; ///< from corner to corner, in the object's frame
 
@@ -78,7 +78,8 @@ void paint(const Way& way, const ObjectMarking& marking, DecalMaker& maker)
         length += glm::distance(way[i - 1], way[i]);
     const double begin = marking.startOffset, end = length - marking.stopOffset,
                  period = marking.lineLength + marking.spaceLength;
-    const bool isDashed = marking.lineLength > 0.0 && marking.spaceLength > 0.0 && period >= kShortestPeriodM;
+    const bool isDashed =
+        marking.lineLength > 0.0 && marking.spaceLength > 0.0 && period >= kShortestPaintedPeriodM;
     double reached = 0.0; // along the way, at the start of the piece
     for (std::size_t i = 1; i < way.size(); ++i)
     {

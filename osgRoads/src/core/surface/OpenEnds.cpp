@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr double kNearM = 2.0; ///< another road's lanes, or the road's other end
-constexpr double kShortestM = 3.0 * OpenEnds::kWearM;
+constexpr double kShortestOpenM = 3.0 * OpenEnds::kWearM;
 
 /// Whether a bridge or tunnel reaches into the wear of an end.
 bool hasStructureNear(const Road& road, double s)
@@ -29,7 +29,7 @@ bool hasStructureNear(const Road& road, double s)
 bool isOpen(const PlacedNetwork& network, int index, double s, const std::optional<RoadLink>& link)
 {
     const Road& road = network.road(index);
-    if (link || road.junction >= 0 || road.length < kShortestM || hasStructureNear(road, s)) return false;
+    if (link || road.junction >= 0 || road.length < kShortestOpenM || hasStructureNear(road, s)) return false;
     const glm::dvec2 start = road.referenceLine.at(0.0).position,
                      end = road.referenceLine.at(road.length).position;
     return glm::distance(start, end) > kNearM && !JunctionCover(network, index).isNearOther(s, kNearM);

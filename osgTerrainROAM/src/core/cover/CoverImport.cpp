@@ -8,6 +8,7 @@
 
 #include <osgTerrainROAM/core/cover/CoverImport.h>
 
+#include "../heightfield/DatasetPtr.h"
 #include "../heightfield/GdalSession.h"
 #include "PixelNet.h"
 
@@ -20,14 +21,9 @@ namespace
 using foundation::Error;
 using foundation::Result;
 
-constexpr int kMaxSide = 8192;             ///< texels
+constexpr int kMaxCoverSide = 8192;        ///< texels
 constexpr std::size_t kMostCodesTold = 32; ///< counted separately in a report
 constexpr int kNoClass = -2000000;         ///< smaller than every code
-
-struct DatasetCloser
-{
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
 
 /// The part of the raster under the tile, perhaps thinned out.
 struct Classes
@@ -63,8 +59,8 @@ bool readClasses(GDALDataset& dataset, const PixelNet& net, const PlacedTile& ti
     const glm::dvec2 extent = high - low;
     if (!(extent.x >= 1.0 && extent.y >= 1.0)) return true; // outside the raster: all unknown
     classes.firstPixel = low;
-    classes.width = static_cast<int>(std::min<double>(extent.x, kMaxSide));
-    classes.height = static_cast<int>(std::min<double>(extent.y, kMaxSide));
+    classes.width = static_cast<int>(std::min<double>(extent.x, kMaxCoverSide));
+    classes.height = static_cast<int>(std::min<double>(extent.y, kMaxCoverSide));
     classes.perPixel = glm::dvec2(classes.width, classes.height) / extent;
     classes.codes.resize(static_cast<std::size_t>(classes.width) * classes.height);
     GDALRasterBand& band = *dataset.GetRasterBand(1);
@@ -82,7 +78,7 @@ bool readClasses(GDALDataset& dataset, const PixelNet& net, const PlacedTile& ti
 
 int sideOf(double pixels)
 {
-    return static_cast<int>(std::clamp(std::ceil(pixels), 2.0, static_cast<double>(kMaxSide)));
+    return static_cast<int>(std::clamp(std::ceil(pixels), 2.0, static_cast<double>(kMaxCoverSide)));
 }
 
 GroundKind kindOf(int code, const CoverTable& table, CoverMap& map)
@@ -122,7 +118,7 @@ Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable
 {
     GdalSession gdal;
     const std::string name = file.string();
-    const std::unique_ptr<GDALDataset, DatasetCloser> dataset(
+    const DatasetPtr dataset(
         GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
     if (!dataset || dataset->GetRasterCount() < 1)
         return Error{name, gdal.hasFailed() ? gdal.firstError() : "is no raster GDAL can open",

@@ -16,7 +16,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr double kHighestM = TileEditor::kHighestM;
+constexpr double kHighestWorkM = TileEditor::kHighestWorkM;
 
 /// A number from an attribute, or what it is without one.
 double numberOf(OGRFeature& feature, const char* name, double otherwise, double least, double most)
@@ -82,7 +82,7 @@ private:
         {
             glm::dvec2 place(curve.getX(i), curve.getY(i));
             const double heightM = curve.getZ(i);
-            if (!transform(place, toWgs84) || !(std::abs(heightM) < kHighestM)) return;
+            if (!transform(place, toWgs84) || !(std::abs(heightM) < kHighestWorkM)) return;
             path.push_back(_placer.placed(place.x, place.y));
             heightsM.push_back(heightM);
         }

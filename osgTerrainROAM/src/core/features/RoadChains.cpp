@@ -15,10 +15,10 @@ namespace
 
 constexpr double kSameM = 0.05;
 
-using Key = std::pair<std::int64_t, std::int64_t>;
+using EndKey = std::pair<std::int64_t, std::int64_t>;
 
 /// Ends in the same square of 5 cm count as one. Close ends in different squares stay separate, which costs a gap in a marking.
-Key keyOf(const glm::dvec2& place)
+EndKey keyOf(const glm::dvec2& place)
 {
     return {std::llround(place.x / kSameM), std::llround(place.y / kSameM)};
 }
@@ -69,7 +69,7 @@ private:
 
     std::vector<Chain> _pieces;
     std::vector<bool> _used;
-    std::map<Key, std::vector<std::size_t>> _ends;
+    std::map<EndKey, std::vector<std::size_t>> _ends;
 };
 
 } // namespace

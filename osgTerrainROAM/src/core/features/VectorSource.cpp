@@ -9,6 +9,7 @@
 
 #include <gdal_priv.h>
 
+#include "../heightfield/DatasetPtr.h"
 #include "../heightfield/GdalSession.h"
 #include "FeatureTags.h"
 
@@ -21,11 +22,6 @@ using foundation::Result;
 namespace
 {
 
-struct DatasetCloser
-{
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
 Result<DatasetPtr> openVectorSource(const std::filesystem::path& source, const PlacedTile& tile,

@@ -16,7 +16,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr int kMostSteps = 256; ///< over neighbours; relief that hangs over could turn the walk in a circle
+constexpr int kMostNeighbourSteps =
+    256; ///< over neighbours; relief that hangs over could turn the walk in a circle
 
 VerticalHit meet(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
 {
@@ -89,7 +90,7 @@ double boundM(const DiamondTree& tree, TriangleId leaf)
 /// Walks from the leaf at the grid position to the leaf that the vertical line meets.
 std::optional<DrawnGround> onLeaves(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
 {
-    for (int step = 0; step < kMostSteps && t.exists(); ++step)
+    for (int step = 0; step < kMostNeighbourSteps && t.exists(); ++step)
     {
         const VerticalHit hit = meet(tree, t, place);
         if (!hit.isInside())
@@ -123,7 +124,7 @@ std::optional<DrawnGround> onPatches(const DiamondTree& tree, Descent descent, c
 {
     const PlacedTile& tile = tree.tile().tile;
     const double last = tile.grid().side() - 1;
-    for (int step = 0; step < kMostSteps && descent.triangle.exists(); ++step)
+    for (int step = 0; step < kMostNeighbourSteps && descent.triangle.exists(); ++step)
     {
         const GridTriangle t = inPatch(tree, descent);
         std::array<glm::dvec3, 3> positions;

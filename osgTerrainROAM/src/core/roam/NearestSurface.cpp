@@ -25,7 +25,7 @@ double distanceToSegment(const glm::dvec3& point, const glm::dvec3& a, const glm
 }
 
 /// The search and the best it has found.
-struct Search
+struct SurfaceSearch
 {
     const DiamondTree& tree;
     glm::dvec3 point;
@@ -110,7 +110,7 @@ double distanceToTriangleM(const glm::dvec3& point, const std::array<glm::dvec3,
 
 double nearestSurfaceM(const DiamondTree& tree, const glm::dvec3& point)
 {
-    Search search{tree, point, std::numeric_limits<double>::infinity()};
+    SurfaceSearch search{tree, point, std::numeric_limits<double>::infinity()};
     for (const TriangleId root : DiamondTree::kRoots)
         search.descend(root, tree.gridTriangle(root));
     return search.leastM;

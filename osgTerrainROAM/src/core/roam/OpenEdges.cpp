@@ -14,7 +14,7 @@ namespace
 {
 
 /// An edge from one point of the grid to another; it runs along a row, a column or a diagonal.
-struct Edge
+struct GridEdge
 {
     GridPoint from, to;
 };
@@ -27,7 +27,7 @@ struct Piece
     int begin = 0, end = 0;
     bool isForward = false;
 
-    explicit Piece(const Edge& e)
+    explicit Piece(const GridEdge& e)
     {
         const int columns = e.to.column - e.from.column, rows = e.to.row - e.from.row;
         direction = rows == 0 ? 0 : columns == 0 ? 1 : (columns > 0) == (rows > 0) ? 2 : 3;
@@ -42,7 +42,7 @@ struct Piece
     auto key() const { return std::tuple(direction, line, begin, end, isForward); }
 };
 
-bool isAtDataBorder(const PlacedTile& tile, const Edge& e)
+bool isAtDataBorder(const PlacedTile& tile, const GridEdge& e)
 {
     const auto both = [&](auto holds) { return holds(e.from) && holds(e.to); };
     return both([](GridPoint p) { return p.column == 0; }) || both([](GridPoint p) { return p.row == 0; }) ||
@@ -51,7 +51,7 @@ bool isAtDataBorder(const PlacedTile& tile, const Edge& e)
 }
 
 /// Keeps the edges along which an edge of the opposite sense runs.
-std::size_t countOpposed(const std::vector<Edge>& open)
+std::size_t countOpposed(const std::vector<GridEdge>& open)
 {
     std::vector<Piece> pieces(open.begin(), open.end());
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.key() < b.key(); });
@@ -68,10 +68,10 @@ std::size_t countOpposed(const std::vector<Edge>& open)
 
 std::size_t tJunctions(const PlacedTile& tile, const DrawnMesh& mesh)
 {
-    std::vector<Edge> open;
+    std::vector<GridEdge> open;
     for (const auto& [from, to] : edgesWithoutTwin(mesh.triangles, firstAtPlace(mesh.grid)))
     {
-        const Edge edge{mesh.grid[from], mesh.grid[to]};
+        const GridEdge edge{mesh.grid[from], mesh.grid[to]};
         if (!isAtDataBorder(tile, edge)) open.push_back(edge);
     }
     return tile.samples().hasHoles() ? countOpposed(open) : open.size();

@@ -9,7 +9,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-struct Descent
+struct ScratchDescent
 {
     const SplitBounds& bounds;
     const ActiveForEye active;
@@ -34,7 +34,7 @@ void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view
                        std::vector<GridTriangle>& leaves)
 {
     leaves.clear();
-    Descent descent{bounds, ActiveForEye(view, tolerancePx), leaves};
+    ScratchDescent descent{bounds, ActiveForEye(view, tolerancePx), leaves};
     for (const GridTriangle& root : rootTriangles(bounds.tile().tile.grid().side()))
         descent.visit(root, 0);
 }

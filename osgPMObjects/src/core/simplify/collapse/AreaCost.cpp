@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "../../mesh/SmallMath.h"
+
 namespace osgPMObjects::core
 {
 
@@ -17,11 +19,6 @@ constexpr double kThinArea = 0.3;  ///< weight with subset placement
 constexpr double kScattered = 0.2; ///< parts of a scattered model are smaller, by the diagonal
 constexpr double kSwelling = 0.25; ///< of models that are not scattered
 constexpr double kMostSwelling = 1.0;
-
-constexpr double squared(double x)
-{
-    return x * x;
-}
 
 } // namespace
 

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "../../mesh/SmallMath.h"
 #include "../quadric/KeepArea.h"
 #include "../sequence/LevelErrors.h"
 #include "../symmetry/TwinFolds.h"
@@ -28,11 +29,6 @@ constexpr double kLopsided = 1e3;
 constexpr double kLeastMaterialArea = 5e-4;
 /// The most neighbours of a position that are evaluated in full: those of the least quadric cost.
 constexpr std::size_t kMostTried = 24;
-
-constexpr double squared(double x)
-{
-    return x * x;
-}
 
 /// Whether a collapse may remove the last faces of a part, or of a material that the part keeps.
 bool hasFewFaces(const ConnectedPart& part)
