@@ -3,9 +3,15 @@
 
 # What holds for every target of the tree: warnings, and the same rounding everywhere (a fused multiply-add would make
 # pictures and meshes depend on the CPU).
+# Hot targets alone are optimised as the build type says (decision 77).
+set(OSGTRAINER_HOT osgPMObjects_core osgTerrainROAM_core osgMultiTriangulation_core osgRoads_core scenery_placement
+    scenery_models worldmaking terrain_generator)
 function(osgtrainer_common target)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:osgTrainer_warnings>)
     target_compile_options(${target} PRIVATE -ffp-contract=off)
+    if(NOT target IN_LIST OSGTRAINER_HOT)
+        target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endif()
 endfunction()
 
 # osgtrainer_install_if_built(TARGET KIND DESTINATION): installs a program or module. One that was not built is left out with a

@@ -16,8 +16,7 @@ function(osgtrainer_test name)
     target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest_main GTest::gmock)
     target_compile_definitions(${name} PRIVATE OSGTRAINER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     osgtrainer_common(${name})
-    # Most of a test's time is spent in the libraries: optimising the test itself takes longer than it saves.
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>
+    target_compile_options(${name} PRIVATE
         $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>) # false alarm: a unity file includes only sources
     set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
     list(JOIN arg_SPLIT "," split)
