@@ -27,10 +27,10 @@ using osgTerrainROAM::core::Earthwork;
 
 constexpr double kRiverStepM = 25.0; ///< between the points of a river
 constexpr double kRiverM = 10.0, kCanalM = 8.0;
-constexpr double kBankM = 12.0; ///< the lowest ground so far beside a river counts
-constexpr double kSunkM = 0.3;  ///< below the ground
-constexpr double kShore = 0.25; ///< of the shores that reach to the ground
-constexpr double kBank = 0.8;   ///< of a river's banks
+constexpr double kBankReachM = 12.0; ///< the lowest ground so far beside a river counts
+constexpr double kSunkM = 0.3;       ///< below the ground
+constexpr double kShore = 0.25;      ///< of the shores that reach to the ground
+constexpr double kBank = 0.8;        ///< of a river's banks
 constexpr double kRiseM = 0.5;
 constexpr double kShoreShare = 0.05; ///< of the shore's ground is lower than a lake
 constexpr double kLakeTouchM = 1.0;  ///< between areas of one lake, at most
@@ -163,7 +163,7 @@ private:
     std::optional<double> lowGroundM(const glm::dvec2& place, const glm::dvec2& along) const
     {
         const double lengthM = std::max(glm::length(along), 1e-9);
-        const glm::dvec2 left = kBankM / lengthM * glm::dvec2(-along.y, along.x);
+        const glm::dvec2 left = kBankReachM / lengthM * glm::dvec2(-along.y, along.x);
         std::optional<double> lowM;
         for (const double side : {0.0, -1.0, 1.0})
             if (const auto height = _ground(place + side * left))

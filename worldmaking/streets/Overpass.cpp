@@ -68,7 +68,7 @@ double cross(glm::dvec2 a, glm::dvec2 b)
 }
 
 /// The shares of both pieces at which they cross.
-std::optional<glm::dvec2> crossingOf(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d)
+std::optional<glm::dvec2> crossingShares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d)
 {
     const double area = cross(b - a, d - c);
     if (std::fabs(area) < 1e-9) return std::nullopt;
@@ -99,7 +99,8 @@ Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>&
         const auto& q = graph.chains[b.chain].points;
         const std::uint32_t ends[] = {p[a.piece], p[a.piece + 1], q[b.piece], q[b.piece + 1]};
         if (ends[0] == ends[2] || ends[0] == ends[3] || ends[1] == ends[2] || ends[1] == ends[3]) continue;
-        const auto shares = crossingOf(places[ends[0]], places[ends[1]], places[ends[2]], places[ends[3]]);
+        const auto shares =
+            crossingShares(places[ends[0]], places[ends[1]], places[ends[2]], places[ends[3]]);
         if (!shares) continue;
         if (level(a) == level(b))
         {

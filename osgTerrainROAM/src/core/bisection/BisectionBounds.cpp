@@ -7,19 +7,10 @@
 
 #include <osgTerrainROAM/core/bisection/BisectionBounds.h>
 
+#include "../RoundedUp.h"
+
 namespace osgTerrainROAM::core
 {
-
-namespace
-{
-
-float roundedUp(double value)
-{
-    const auto rounded = static_cast<float>(value);
-    return rounded >= value ? rounded : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-}
-
-} // namespace
 
 BisectionBounds::BisectionBounds(const BisectionSurface& surface, std::span<const BisectionPatch> patches)
     : _surface(surface), _errors(surface.vertices(), 0.0f), _radii(surface.vertices(), 0.0f)

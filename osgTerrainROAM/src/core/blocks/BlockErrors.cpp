@@ -4,6 +4,7 @@
 
 #include <osgTerrainROAM/core/blocks/BlockErrors.h>
 
+#include "../RoundedUp.h"
 #include "BlocksOfRects.h"
 #include "SurfaceError.h"
 
@@ -12,13 +13,6 @@ namespace osgTerrainROAM::core
 
 namespace
 {
-
-/// The next float above: a bound stays one.
-float roundedUp(double metres)
-{
-    const auto rounded = static_cast<float>(metres);
-    return rounded < metres ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
 
 PlanTriangle inGrid(const BlockTriangle& t, GridPoint origin)
 {

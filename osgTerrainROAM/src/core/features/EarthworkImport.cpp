@@ -16,7 +16,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr double kHighestWorkM = TileEditor::kHighestWorkM;
+constexpr double kHighestWorkM = TileEditor::kHighestM;
 
 /// A number from an attribute, or what it is without one.
 double numberOf(OGRFeature& feature, const char* name, double otherwise, double least, double most)

@@ -6,6 +6,8 @@
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
 #include <osgTerrainROAM/core/vdpm/BoundedForest.h>
 
+#include "../RoundedUp.h"
+
 namespace osgTerrainROAM::core
 {
 
@@ -18,12 +20,6 @@ constexpr double kTypicalReach = 1000.0;
 /// How much a small finder counts beside one that need not grow. With 0 a few coarse splits find dozens of others, which then are all
 /// watched: up to five times the checks; with 0.1 there are 3 to 4 % more triangles.
 constexpr double kSmallness = 0.01;
-
-float roundedUpBound(double value)
-{
-    const auto near = static_cast<float>(value);
-    return near < value ? std::nextafter(near, std::numeric_limits<float>::max()) : near;
-}
 
 /// The least bound that contains two.
 SplitBound joined(const SplitBound& outer, const SplitBound& inner)
@@ -40,7 +36,7 @@ SplitBound joined(const SplitBound& outer, const SplitBound& inner)
         both.centre =
             glm::vec3(from + (to - from) * ((distance + inner.radiusM - outer.radiusM) / (2.0 * distance)));
     const glm::dvec3 centre(both.centre); // the rounding of the centre counts
-    both.radiusM = roundedUpBound(
+    both.radiusM = roundedUp(
         std::max(glm::distance(centre, from) + outer.radiusM, glm::distance(centre, to) + inner.radiusM) *
         ErrorTree::kRadiusSlack);
     return both;
