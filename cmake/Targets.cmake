@@ -4,8 +4,8 @@
 # What holds for every target of the tree: warnings, and the same rounding everywhere (a fused multiply-add would make
 # pictures and meshes depend on the CPU).
 # Hot targets alone are optimised as the build type says (decision 77).
-set(OSGTRAINER_HOT osgPMObjects_core osgTerrainROAM_core osgMultiTriangulation_core osgRoads_core scenery_placement
-    scenery_models worldmaking terrain_generator)
+set(OSGTRAINER_HOT osgPMObjects_core osgTerrainROAM_core osgMultiTriangulation_core osgRoads_core scenery worldmaking
+    terrain_generator)
 function(osgtrainer_common target)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:osgTrainer_warnings>)
     target_compile_options(${target} PRIVATE -ffp-contract=off)
