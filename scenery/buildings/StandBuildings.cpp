@@ -12,7 +12,7 @@ namespace scenery
 namespace
 {
 
-constexpr double kStepM = 1.0;
+constexpr double kOutlineStepM = 1.0;
 constexpr double kLeastDoorEdgeM = 2.5;
 constexpr double kThresholdM = 0.05; ///< of a floor above the ground at its door
 
@@ -77,7 +77,8 @@ std::optional<GroundSpan> groundUnder(const std::vector<std::vector<glm::dvec2>>
         for (std::size_t i = 0; i < ring.size(); ++i)
         {
             const glm::dvec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
-            const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(to - from) / kStepM)));
+            const int steps =
+                std::max(1, static_cast<int>(std::ceil(glm::length(to - from) / kOutlineStepM)));
             for (int k = 0; k < steps; ++k)
                 if (!look(glm::mix(from, to, static_cast<double>(k) / steps))) return std::nullopt;
         }

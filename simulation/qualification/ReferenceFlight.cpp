@@ -20,7 +20,7 @@ namespace
 constexpr double kFoot = 0.3048;
 constexpr double kPound = 0.45359237;
 constexpr double kPoundForce = 4.4482216152605;
-constexpr std::size_t kMostBytes = 256U << 20U;
+constexpr std::size_t kMostFlightBytes = 256U << 20U;
 
 /// A column of the file and what it is added to.
 struct Column
@@ -65,7 +65,7 @@ foundation::Result<std::string> readText(const std::filesystem::path& file)
     std::string text;
     std::array<char, 1U << 16U> part{};
     int bytes = 0;
-    while (text.size() < kMostBytes && (bytes = gzread(stream, part.data(), part.size())) > 0)
+    while (text.size() < kMostFlightBytes && (bytes = gzread(stream, part.data(), part.size())) > 0)
         text.append(part.data(), static_cast<std::size_t>(bytes));
     gzclose(stream);
     if (bytes < 0) return foundation::Error{file.string(), "is damaged", "copy it again"};

@@ -9,7 +9,7 @@ namespace simulation
 namespace
 {
 
-constexpr double kSettleS = 1.0;
+constexpr double kDriveSettleS = 1.0;
 
 } // namespace
 
@@ -22,7 +22,7 @@ TestDrive::TestDrive(std::shared_ptr<const RoadVehicleData> vehicle, std::shared
     set(RoadInput::gear, std::max(1, _vehicle.readings().gear));
     set(RoadInput::clutch, speedMps > 0.0 ? 0.0 : 1.0);
     set(RoadInput::brake, speedMps > 0.0 ? 0.0 : 1.0);
-    for (double left = kSettleS; left > 0.0; left -= RoadVehicle::kStepS)
+    for (double left = kDriveSettleS; left > 0.0; left -= RoadVehicle::kStepS)
     {
         if (speedMps > 0.0) holdSpeed(speedMps);
         step();

@@ -11,7 +11,7 @@ namespace simulation
 namespace
 {
 
-constexpr std::uint64_t kMostBytes = 0xFFFFFFFFU - 64U;
+constexpr std::uint64_t kMostWaveBytes = 0xFFFFFFFFU - 64U;
 
 void addNumber(std::string& text, std::uint32_t value, int bytes)
 {
@@ -60,7 +60,7 @@ foundation::Outcome WaveFile::add(std::span<const float> samples)
         addNumber(
             bytes,
             static_cast<std::uint32_t>(std::lround(32767.0F * std::fmin(std::fmax(sample, -1.0F), 1.0F))), 2);
-    if (_bytes + bytes.size() > kMostBytes)
+    if (_bytes + bytes.size() > kMostWaveBytes)
         return _file.failure("cannot be written", "a WAVE file holds 4 GiB");
     errno = 0;
     _stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

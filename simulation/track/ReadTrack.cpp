@@ -19,7 +19,7 @@ namespace simulation
 namespace
 {
 
-constexpr std::uintmax_t kMostBytes = 256u << 20;
+constexpr std::uintmax_t kMostTrackBytes = 256u << 20;
 constexpr std::size_t kZipHeader = 30; ///< bytes of a local file header without its names
 
 std::string extensionOf(const std::filesystem::path& file)
@@ -46,7 +46,7 @@ std::optional<std::string> inflated(std::string_view bytes, int windowBits)
     stream.avail_in = static_cast<uInt>(bytes.size());
     std::string text;
     int status = Z_OK;
-    while (status == Z_OK && text.size() <= kMostBytes)
+    while (status == Z_OK && text.size() <= kMostTrackBytes)
     {
         constexpr std::size_t kPiece = 1 << 16;
         const std::size_t before = text.size();
@@ -130,7 +130,7 @@ foundation::Result<TrackReading> readTracks(const std::filesystem::path& file)
     if (foundation::Outcome readable = foundation::checkReadable(file); !readable) return readable.error();
     const std::string name = file.string();
     std::error_code code;
-    if (std::filesystem::file_size(file, code) > kMostBytes || code)
+    if (std::filesystem::file_size(file, code) > kMostTrackBytes || code)
         return foundation::Error{name, "is larger than 256 MiB", "split the recording"};
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

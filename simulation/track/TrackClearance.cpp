@@ -11,10 +11,10 @@ namespace simulation
 namespace
 {
 
-constexpr double kSampleM = 15.0;
-constexpr double kMostSamples = 64.0;
+constexpr double kClearanceSampleM = 15.0;
+constexpr double kMostClearanceSamples = 64.0;
 constexpr double kAllowedM = 0.05;
-constexpr int kMostRounds = 10;
+constexpr int kMostLiftRounds = 10;
 constexpr double kLeastStepS = 1e-3; ///< between a new vertex and its neighbours
 constexpr double kLeastStepM = 1e-3;
 
@@ -57,7 +57,8 @@ Dip deepestBetween(const PathCurve& curve, const PathVertex& from, const PathVer
 {
     Dip deepest;
     const double chord = glm::distance(from.position, to.position);
-    const int samples = static_cast<int>(std::clamp(std::ceil(chord / kSampleM), 2.0, kMostSamples));
+    const int samples =
+        static_cast<int>(std::clamp(std::ceil(chord / kClearanceSampleM), 2.0, kMostClearanceSamples));
     for (int i = 1; i < samples; ++i)
     {
         const double parameter = from.parameter + (to.parameter - from.parameter) * i / samples;
@@ -90,7 +91,7 @@ TrackClearance keepAboveGround(FollowTrajectoryAction& action, const SceneFrame&
     TrackClearance done;
     std::vector<Vertex>& vertices = std::get<Polyline>(action.trajectory.shape).vertices;
     const double leastStep = action.timing ? kLeastStepS : kLeastStepM;
-    for (int round = 0; round <= kMostRounds; ++round)
+    for (int round = 0; round <= kMostLiftRounds; ++round)
     {
         const PlacedPath path = placed(action, frame);
         if (path.vertices.size() < 2) return done;
@@ -104,7 +105,7 @@ TrackClearance keepAboveGround(FollowTrajectoryAction& action, const SceneFrame&
             done.deepestM = std::max(done.deepestM, dip.depthM);
             if (dip.depthM <= kAllowedM) continue;
             done.leftM = std::max(done.leftM, dip.depthM);
-            if (round == kMostRounds ||
+            if (round == kMostLiftRounds ||
                 path.vertices[i + 1].parameter - path.vertices[i].parameter < 4.0 * leastStep)
                 continue;
             while (taken <= path.sources[i])

@@ -15,7 +15,7 @@ namespace
 constexpr double kEarthM = 6371000.0;
 constexpr double kFlyingM = 50.0;
 constexpr double kWalkingMps = 2.5;
-constexpr double kStandingMps = 0.3;
+constexpr double kTrackStandingMps = 0.3;
 
 /// The speed that nine tenths of the moving fixes do not exceed; nothing where nothing moves or there are no times.
 std::optional<double> usualSpeed(const FlightTrack& track)
@@ -26,7 +26,7 @@ std::optional<double> usualSpeed(const FlightTrack& track)
     {
         const double speed = metresBetween(track.fixes[i - 1], track.fixes[i]) /
                              (track.fixes[i].timeS - track.fixes[i - 1].timeS);
-        if (speed > kStandingMps) speeds.push_back(speed);
+        if (speed > kTrackStandingMps) speeds.push_back(speed);
     }
     if (speeds.empty()) return std::nullopt;
     const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);

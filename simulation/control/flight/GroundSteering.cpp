@@ -16,7 +16,7 @@ constexpr double kMostSidewaysMps2 = 1.2;
 constexpr double kRateGainMps = 6.0,
                  kIntegralGainMps =
                      50.0; ///< over the speed: the nose wheel turns the faster, the faster it rolls
-constexpr double kSlowMps = 3.0;
+constexpr double kSlowTaxiMps = 3.0;
 constexpr double kAileronPerMps = 0.1;
 constexpr double kFastMps = 35.0;
 
@@ -25,7 +25,7 @@ constexpr double kFastMps = 35.0;
 double GroundSteering::step(const FlightSense& sense, const CourseLine& line, double stepS)
 {
     const double lean = std::clamp(std::atan(line.besideM(sense.position) / kLeadM), -kMostLean, kMostLean);
-    const double speed = std::max(sense.groundSpeedMps, kSlowMps), most = kMostSidewaysMps2 / speed;
+    const double speed = std::max(sense.groundSpeedMps, kSlowTaxiMps), most = kMostSidewaysMps2 / speed;
     const double wanted = std::clamp(kTurnPerS * halfTurn(line.course - lean - sense.heading), -most, most);
     const double error = wanted - sense.yawRate;
     _held = std::clamp(_held - kIntegralGainMps / speed * error * stepS, -1.0, 1.0);

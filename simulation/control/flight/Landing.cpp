@@ -13,7 +13,8 @@ constexpr double kGlidePath = 0.0524; ///< 3°
 constexpr double kAimM = 150.0;       ///< beyond the threshold
 constexpr double kFinalMps = 31.5;    ///< 61 kt
 constexpr double kStraightenS = 3.0;
-constexpr double kStraightM = 15.0; ///< wheels above the ground: from here on the nose is along the runway
+constexpr double kStraightFinalM =
+    15.0; ///< wheels above the ground: from here on the nose is along the runway
 constexpr double kFlareM = 5.0;
 constexpr double kFlareRate = 0.38; ///< of the height, each second
 constexpr double kTouchdownMps = 0.5;
@@ -87,7 +88,7 @@ FlightCommand Landing::approach(const FlightSense& sense, double stepS)
     if (!_isFlaring) _flareThrottle = hold.throttle;
     command.throttle =
         _isFlaring ? _flareThrottle * std::clamp(wheelsM / kFlareM - 0.2, 0.0, 1.0) : hold.throttle;
-    command.surfaces = wheelsM < kStraightM
+    command.surfaces = wheelsM < kStraightFinalM
                            ? slip(sense, hold.pitch, stepS)
                            : _attitude.step(sense, hold.pitch, bankToLine(sense, line, kLineBank), stepS);
     _elevator = command.surfaces.elevator;

@@ -11,20 +11,20 @@ namespace simulation
 namespace
 {
 
-constexpr double kFootM = 0.3048;
-constexpr double kHighLengthM = 1750.0 * kFootM;
-constexpr double kLowM = 1000.0 * kFootM, kHighM = 2000.0 * kFootM;
+constexpr double kTurbulenceFootM = 0.3048;
+constexpr double kHighLengthM = 1750.0 * kTurbulenceFootM;
+constexpr double kLowM = 1000.0 * kTurbulenceFootM, kHighM = 2000.0 * kTurbulenceFootM;
 constexpr double kSlowestMps = 5.0; ///< slower, the air drifts past at this speed
 
 /// Strength near the ground, at a height of 3 m to 1000 ft.
 DrydenTurbulence::Strength lowStrength(double heightM, double windMps)
 {
-    const double heightFt = std::clamp(heightM / kFootM, 10.0, 1000.0);
+    const double heightFt = std::clamp(heightM / kTurbulenceFootM, 10.0, 1000.0);
     const double shape = 0.177 + 0.000823 * heightFt;
-    const double level = heightFt * kFootM / std::pow(shape, 1.2);
+    const double level = heightFt * kTurbulenceFootM / std::pow(shape, 1.2);
     const double down = 0.1 * windMps;
     const double flat = down / std::pow(shape, 0.4);
-    return {{level, level, heightFt * kFootM}, {flat, flat, down}};
+    return {{level, level, heightFt * kTurbulenceFootM}, {flat, flat, down}};
 }
 
 } // namespace

@@ -11,10 +11,10 @@ namespace simulation
 namespace
 {
 
-constexpr double kFastestMps = 3000.0; ///< faster is a leap
-constexpr double kFarthestM = 2e7;     ///< from the scene's origin
-constexpr double kCrashesAtMps = 5.0;  ///< with the structure on the ground
-constexpr double kTouchM = 0.02;       ///< of the structure, above the ground
+constexpr double kFastestFlownMps = 3000.0; ///< faster is a leap
+constexpr double kFarthestFlownM = 2e7;     ///< from the scene's origin
+constexpr double kCrashesAtMps = 5.0;       ///< with the structure on the ground
+constexpr double kTouchM = 0.02;            ///< of the structure, above the ground
 
 std::string order(const std::string& property, double value)
 {
@@ -111,7 +111,7 @@ void JsbsimVehicle::take(const Ground& /*ground*/)
     const VehicleState next = _frame->stateOf(row);
     constexpr double kFartherM = 1.0; // than both velocities would carry it
     const double mostM = kStepS * (glm::length(next.velocity) + glm::length(_state.velocity)) + kFartherM;
-    if (glm::length(next.velocity) > kFastestMps || glm::length(next.position) > kFarthestM ||
+    if (glm::length(next.velocity) > kFastestFlownMps || glm::length(next.position) > kFarthestFlownM ||
         glm::distance(next.position, _state.position) > mostM)
         return fail("JSBSim's motion leaps");
     _row = row;
