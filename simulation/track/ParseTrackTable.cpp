@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include <foundation/Units.h>
+
 #include "simulation/environment/DateTime.h"
 #include "simulation/parser/Expression.h"
 #include "simulation/track/ReadTrack.h"
@@ -24,7 +26,6 @@ enum Column
     kColumns
 };
 
-constexpr double kFootM = 0.3048;
 constexpr double kMilliseconds = 1e11; ///< since 1970: more seconds than 3000 years have
 
 /// The names of the columns, in small letters.
@@ -152,7 +153,7 @@ foundation::Result<TrackReading> parseTrackTable(std::string_view text, const st
         return foundation::Error{name + ":" + std::to_string(line),
                                  "the first line names no columns for latitude and longitude",
                                  "begin with a line such as time,latitude,longitude,height"};
-    const double unitM = isInFeet(columns, names) ? kFootM : 1.0;
+    const double unitM = isInFeet(columns, names) ? foundation::kMetresPerFoot : 1.0;
     TrackBuilder builder(name);
     FlightTrack& track = builder.begin(name, HeightDatum::meanSeaLevel);
     track.hasTimes = columns[kTime] >= 0;

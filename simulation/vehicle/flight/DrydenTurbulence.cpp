@@ -5,26 +5,27 @@
 #include <cmath>
 #include <numbers>
 
+#include <foundation/Units.h>
+
 namespace simulation
 {
 
 namespace
 {
 
-constexpr double kTurbulenceFootM = 0.3048;
-constexpr double kHighLengthM = 1750.0 * kTurbulenceFootM;
-constexpr double kLowM = 1000.0 * kTurbulenceFootM, kHighM = 2000.0 * kTurbulenceFootM;
+constexpr double kHighLengthM = 1750.0 * foundation::kMetresPerFoot;
+constexpr double kLowM = 1000.0 * foundation::kMetresPerFoot, kHighM = 2000.0 * foundation::kMetresPerFoot;
 constexpr double kSlowestMps = 5.0; ///< slower, the air drifts past at this speed
 
 /// Strength near the ground, at a height of 3 m to 1000 ft.
 DrydenTurbulence::Strength lowStrength(double heightM, double windMps)
 {
-    const double heightFt = std::clamp(heightM / kTurbulenceFootM, 10.0, 1000.0);
+    const double heightFt = std::clamp(heightM / foundation::kMetresPerFoot, 10.0, 1000.0);
     const double shape = 0.177 + 0.000823 * heightFt;
-    const double level = heightFt * kTurbulenceFootM / std::pow(shape, 1.2);
+    const double level = heightFt * foundation::kMetresPerFoot / std::pow(shape, 1.2);
     const double down = 0.1 * windMps;
     const double flat = down / std::pow(shape, 0.4);
-    return {{level, level, heightFt * kTurbulenceFootM}, {flat, flat, down}};
+    return {{level, level, heightFt * foundation::kMetresPerFoot}, {flat, flat, down}};
 }
 
 } // namespace
