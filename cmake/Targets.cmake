@@ -3,7 +3,7 @@
 
 # What holds for every target of the tree: warnings, and the same rounding everywhere (a fused multiply-add would make
 # pictures and meshes depend on the CPU).
-# Hot targets alone are optimised as the build type says (decision 77).
+# Hot targets alone are optimised as the build type says (decision 78).
 set(OSGTRAINER_HOT osgPMObjects_core osgTerrainROAM_core osgMultiTriangulation_core osgRoads_core scenery worldmaking
     terrain_generator)
 function(osgtrainer_common target)
