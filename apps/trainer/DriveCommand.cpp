@@ -10,7 +10,9 @@
 #include <foundation/WholeFile.h>
 
 #include "DriveWay.h"
+#include "Ride.h"
 #include "SceneTerrain.h"
+#include "simulation/control/HandOver.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/driver/RoadHands.h"

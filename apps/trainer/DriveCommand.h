@@ -7,7 +7,7 @@
 #include <foundation/DataFile.h>
 #include <foundation/Result.h>
 
-#include "Ride.h"
+#include "RideRequest.h"
 #include "simulation/vehicle/Ground.h"
 
 namespace trainer

@@ -7,6 +7,9 @@
 
 #include "FlightStarts.h"
 #include "FlyCommand.h"
+#include "Ride.h"
+#include "simulation/control/HandOver.h"
+#include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/vehicle/DynamicVehicle.h"
 #include "simulation/vehicle/EarthFrame.h"
 

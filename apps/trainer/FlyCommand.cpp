@@ -10,6 +10,7 @@
 
 #include "FlatScene.h"
 #include "FlightMaker.h"
+#include "Ride.h"
 #include "SceneGround.h"
 #include "SceneStrip.h"
 #include "SceneTerrain.h"

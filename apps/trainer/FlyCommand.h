@@ -10,7 +10,7 @@
 #include <foundation/Result.h>
 #include <glm/vec2.hpp>
 
-#include "Ride.h"
+#include "RideRequest.h"
 
 namespace trainer
 {

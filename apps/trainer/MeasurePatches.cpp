@@ -4,12 +4,15 @@
 #include <iomanip>
 #include <sstream>
 
+#include <osg/GraphicsContext>
 #include <osg/Notify>
 #include <osg/Timer>
+#include <osgViewer/Viewer>
 
 #include <osgTerrainROAM/core/roam/PatchBalance.h>
 
 #include <osgOffscreen/FrameGrabber>
+#include <osgTerrainROAM/RoamTerrain>
 
 namespace trainer
 {

@@ -5,10 +5,20 @@
 #include <string>
 #include <vector>
 
-#include <osg/GraphicsContext>
-#include <osgViewer/Viewer>
+#include <osg/ref_ptr>
 
-#include <osgTerrainROAM/RoamTerrain>
+namespace osg
+{
+class GraphicsContext;
+}
+namespace osgViewer
+{
+class Viewer;
+}
+namespace osgTerrainROAM
+{
+class RoamTerrain;
+}
 
 namespace trainer
 {

@@ -18,8 +18,12 @@
 #include <osgOffscreen/Backend>
 
 #include "hud/HudUnits.h"
-#include "simulation/player/ExternalMotion.h"
 #include "view/Quality.h"
+
+namespace simulation
+{
+class ExternalMotion;
+}
 
 namespace trainer
 {

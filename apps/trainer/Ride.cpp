@@ -5,6 +5,9 @@
 
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
+#include "SceneTerrain.h"
+#include "simulation/control/HandOver.h"
+#include "simulation/control/VehicleMotion.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "window/WindowSession.h"
 

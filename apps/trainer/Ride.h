@@ -7,16 +7,20 @@
 
 #include <foundation/Result.h>
 
-#include "PlayRequest.h"
-#include "SceneTerrain.h"
+#include "RideRequest.h"
 #include "input/KeyTable.h"
-#include "simulation/control/HandOver.h"
-#include "simulation/control/VehicleMotion.h"
 #include "simulation/scenario/Scenario.h"
-#include "simulation/tour/RideEnvironment.h"
+
+namespace simulation
+{
+class HandOver;
+class VehicleMotion;
+} // namespace simulation
 
 namespace trainer
 {
+
+struct SceneTerrain;
 
 /// One vehicle with physics in a world, ready to go.
 struct Ride
@@ -48,20 +52,6 @@ public:
 
     /// Errors: a place where nothing can begin.
     virtual foundation::Result<Ride> make(std::size_t place) = 0;
-};
-
-/// How a ride is played.
-struct RideRequest
-{
-    PlayRequest play; ///< pictures, and the table of motion
-    bool isHeadless = false;
-    double durationS = 600.0;     ///< at most; in a window as long as somebody sits there
-    std::filesystem::path inputs; ///< recorded inputs in place of the autopilot or driver
-    std::filesystem::path recordInputs;
-    simulation::RideConditions conditions; ///< time of day and weather
-
-    /// Whether somebody sits in it: a window is asked for, or nothing else is.
-    bool hasWindow() const;
 };
 
 /// Plays rides: in a window, with pictures, or at 120 steps a second without. Writes the files of the request, and returns the motion of

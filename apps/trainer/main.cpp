@@ -5,6 +5,7 @@
 #include <osgOffscreen/OpenGlVersion>
 
 #include "commands/Commands.h"
+#include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "terminal/Terminal.h"
 

@@ -71,12 +71,13 @@ private:
     /// Metres; for the fastest way seconds times the usual speed, for the one of least intersections with 10 km for each.
     double costOf(int road, double metres) const
     {
-        constexpr double kUsualMps = 50.0 / 3.6, kIntersectionM = 1e4;
+        constexpr double kUsualRoadMps = 50.0 / 3.6, kIntersectionM = 1e4;
         if (_strategy == RouteStrategy::fastest)
         {
             RoadPlace place;
             place.road = road;
-            return metres * kUsualMps / std::max(speedLimitAt(_roads, place).value_or(kUsualMps), 0.1);
+            return metres * kUsualRoadMps /
+                   std::max(speedLimitAt(_roads, place).value_or(kUsualRoadMps), 0.1);
         }
         const bool isInJunction = !_network.roads[static_cast<std::size_t>(road)].junctionId.empty();
         return _strategy == RouteStrategy::leastIntersections && isInJunction ? metres + kIntersectionM

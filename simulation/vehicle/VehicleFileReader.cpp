@@ -21,7 +21,7 @@ std::string textOf(double number)
 }
 
 /// A number that is the whole text, blanks around it aside.
-std::optional<double> parseNumber(std::string_view text)
+std::optional<double> attributeNumber(std::string_view text)
 {
     const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
     while (!text.empty() && isBlank(text.front()))
@@ -45,7 +45,7 @@ std::optional<std::vector<std::vector<double>>> parseLines(const std::string& te
         std::istringstream words(line);
         for (std::string word; words >> word;)
         {
-            const std::optional<double> number = parseNumber(word);
+            const std::optional<double> number = attributeNumber(word);
             if (!number) return wrong = word, std::nullopt;
             numbers.push_back(*number);
         }
@@ -74,7 +74,7 @@ double VehicleFileReader::number(pugi::xml_node node, const char* attribute, dou
         fail(node, label + "has no " + attribute, remedy);
         return 0.0;
     }
-    const std::optional<double> value = parseNumber(found.value());
+    const std::optional<double> value = attributeNumber(found.value());
     if (!value || *value < least || *value > most)
     {
         fail(node, label + attribute + " is '" + found.value() + "'", remedy);

@@ -3,6 +3,7 @@
 
 #include "CheckCommand.h"
 #include "commands/Commands.h"
+#include "terminal/CommandLine.h"
 
 namespace trainer
 {

@@ -4,6 +4,7 @@
 #include "CompareCommand.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
+#include "terminal/CommandLine.h"
 
 namespace trainer
 {

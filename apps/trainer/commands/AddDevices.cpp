@@ -4,6 +4,7 @@
 #include "DevicesCommand.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
+#include "terminal/CommandLine.h"
 
 namespace trainer
 {

@@ -6,6 +6,7 @@
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "commands/RideOptions.h"
+#include "terminal/CommandLine.h"
 
 namespace trainer
 {

@@ -8,6 +8,7 @@
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "simulation/track/ReadTrack.h"
+#include "terminal/CommandLine.h"
 
 namespace trainer
 {

@@ -3,6 +3,7 @@
 
 #include "QualifyCommand.h"
 #include "commands/Commands.h"
+#include "terminal/CommandLine.h"
 
 namespace trainer
 {

@@ -8,6 +8,7 @@
 #include "WorldFiles.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
+#include "terminal/CommandLine.h"
 
 namespace trainer
 {

@@ -4,7 +4,10 @@
 #include <functional>
 #include <vector>
 
-#include "terminal/CommandLine.h"
+namespace CLI
+{
+class App;
+}
 
 namespace trainer
 {

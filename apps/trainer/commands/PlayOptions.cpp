@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 
 namespace trainer

@@ -8,7 +8,12 @@
 #include <foundation/Result.h>
 
 #include "PlayRequest.h"
-#include "terminal/CommandLine.h"
+
+namespace CLI
+{
+class App;
+class Option;
+} // namespace CLI
 
 namespace trainer
 {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "RideRequest.h"
 #include "terminal/CommandLine.h"
 
 namespace trainer

@@ -3,12 +3,19 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include <foundation/Result.h>
 
-#include "Ride.h"
+#include "simulation/tour/RideConditions.h"
+
+namespace CLI
+{
+class App;
+}
 
 namespace trainer
 {
+
+struct RideRequest;
 
 /// The options that flights and drives share besides those of pictures: under which sky they go.
 class RideOptions

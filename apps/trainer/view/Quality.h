@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <osgTerrainROAM/SunShadows>
+#include <osgTerrainROAM/SunShadowSettings>
 
 namespace trainer
 {

@@ -12,6 +12,8 @@
 #include "hud/TextOverlay.h"
 #include "input/DeviceHands.h"
 #include "input/SeatKeys.h"
+#include "simulation/control/HandOver.h"
+#include "simulation/control/VehicleMotion.h"
 #include "simulation/player/LivePlay.h"
 #include "sound/Loudspeaker.h"
 #include "sound/SceneSound.h"

@@ -102,12 +102,13 @@ void restrain(const ReadLimits& limits)
 /// Reads until the child has ended; returns false if it takes too long.
 bool readAll(int descriptor, double seconds, std::string& bytes)
 {
-    using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     std::string buffer(1 << 16, '\0');
     while (true)
     {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now())
+                .count();
         if (left <= 0) return false;
         pollfd waiting{descriptor, POLLIN, 0};
         const int ready = poll(&waiting, 1, static_cast<int>(std::min<long long>(left, 1000)));

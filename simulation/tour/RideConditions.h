@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+namespace simulation
+{
+
+/// What falls from the sky over a ride, and what hangs in it.
+enum class RideWeather
+{
+    clear,
+    fog,
+    rain, ///< on wet roads
+    snow  ///< that covers the roads
+};
+
+/// Under which sky somebody rides.
+struct RideConditions
+{
+    std::optional<double>
+        solarHour; ///< 0…24, mean solar time of the place on the longest day; absent: one that shows relief well
+    RideWeather weather = RideWeather::clear;
+};
+
+} // namespace simulation
