@@ -16,7 +16,6 @@ using osgRoads::core::RoadKind;
 using osgRoads::core::RoadLink;
 using osgRoads::core::RoadNetwork;
 using osgRoads::core::RoadStructure;
-using osgRoads::core::StructureKind;
 
 constexpr double kGradeStepM = 5.0;
 constexpr double kKmhPerMps = 3.6;
@@ -110,7 +109,8 @@ void StreetNetwork::addStructures(std::size_t index, Road& road, StreetReport& r
         if (place == StreetPlace::ground) continue;
         const double startM = placeOf(index, piece, road.length);
         const double endM = placeOf(index, piece + 1, road.length);
-        const auto kind = place == StreetPlace::bridge ? StructureKind::bridge : StructureKind::tunnel;
+        const auto kind = place == StreetPlace::bridge ? osgRoads::core::StructureKind::bridge
+                                                       : osgRoads::core::StructureKind::tunnel;
         if (!road.structures.empty())
         {
             RoadStructure& last = road.structures.back();
@@ -122,7 +122,7 @@ void StreetNetwork::addStructures(std::size_t index, Road& road, StreetReport& r
         }
         RoadStructure structure;
         structure.kind = kind;
-        structure.type = kind == StructureKind::bridge ? "concrete" : "standard";
+        structure.type = kind == osgRoads::core::StructureKind::bridge ? "concrete" : "standard";
         structure.s = startM;
         structure.length = endM - startM;
         road.structures.push_back(std::move(structure));
@@ -133,7 +133,7 @@ void StreetNetwork::addStructures(std::size_t index, Road& road, StreetReport& r
     {
         RoadStructure& structure = road.structures[i];
         structure.id = road.id + "-" + std::to_string(i);
-        ++(structure.kind == StructureKind::bridge ? report.bridges : report.tunnels);
+        ++(structure.kind == osgRoads::core::StructureKind::bridge ? report.bridges : report.tunnels);
     }
 }
 

@@ -9,7 +9,7 @@ namespace scenery::models
 namespace
 {
 
-using Kind = RoadModel::Kind;
+using RoadModelKind = RoadModel::Kind;
 
 void addGreyBox(ModelBuilder& builder, const RoadModel& model)
 {
@@ -26,40 +26,40 @@ Model makeRoadModel(const RoadModel& model)
     ModelBuilder builder;
     switch (model.kind)
     {
-    case Kind::sign:
+    case RoadModelKind::sign:
         addSign(builder, model);
         break;
-    case Kind::board:
+    case RoadModelKind::board:
         addBoard(builder, model);
         break;
-    case Kind::trafficLight:
-    case Kind::pedestrianLight:
+    case RoadModelKind::trafficLight:
+    case RoadModelKind::pedestrianLight:
         addLights(builder, model);
         break;
-    case Kind::pole:
+    case RoadModelKind::pole:
         builder.begin("post", kRoadSigns, kZinc);
         bar(builder, {0.0, 0.0, -kPostDepthM}, {0.0, 0.0, orElse(model.heightM, 3.0)},
             orElse(0.5 * model.widthM, kPostRadiusM));
         break;
-    case Kind::delineator:
+    case RoadModelKind::delineator:
         addDelineator(builder, model);
         break;
-    case Kind::lampPost:
+    case RoadModelKind::lampPost:
         addLampPost(builder, model);
         break;
-    case Kind::cone:
+    case RoadModelKind::cone:
         addCone(builder, model);
         break;
-    case Kind::bollard:
+    case RoadModelKind::bollard:
         addBollard(builder, model);
         break;
-    case Kind::railPost:
+    case RoadModelKind::railPost:
         addRailPost(builder, model);
         break;
-    case Kind::gantry:
+    case RoadModelKind::gantry:
         addGantry(builder, model);
         break;
-    case Kind::box:
+    case RoadModelKind::box:
         addGreyBox(builder, model);
         break;
     }

@@ -13,7 +13,7 @@ namespace scenery::models
 namespace
 {
 
-using Kind = RoadModel::Kind;
+using RoadModelKind = RoadModel::Kind;
 
 constexpr glm::vec3 kHousing(0.09F, 0.10F, 0.10F);
 constexpr double kLensStepM = 0.28; ///< from lens to lens
@@ -42,7 +42,7 @@ double headHeightOf(const RoadModel& model)
 {
     if (const auto lenses = lensesOf(model).size(); lenses > 0)
         return kLensStepM * static_cast<double>(lenses);
-    const double usualM = model.kind == Kind::sign ? orElse(model.widthM, 0.6) : 0.6;
+    const double usualM = model.kind == RoadModelKind::sign ? orElse(model.widthM, 0.6) : 0.6;
     return orElse(model.heightM, usualM);
 }
 
@@ -148,9 +148,9 @@ void addLights(ModelBuilder& builder, const RoadModel& model)
 std::vector<Lens> lensesOf(const RoadModel& model)
 {
     std::vector<SignFace> faces;
-    if (model.kind == Kind::trafficLight)
+    if (model.kind == RoadModelKind::trafficLight)
         faces = {SignFace::lampRed, SignFace::lampAmber, SignFace::lampGreen};
-    if (model.kind == Kind::pedestrianLight) faces = {SignFace::lampRed, SignFace::lampGreen};
+    if (model.kind == RoadModelKind::pedestrianLight) faces = {SignFace::lampRed, SignFace::lampGreen};
     std::vector<Lens> lenses;
     for (std::size_t i = 0; i < faces.size(); ++i)
         lenses.push_back({{kLensX - 0.015, 0.0,
