@@ -14,6 +14,10 @@ function(osgtrainer_test name)
     add_executable(${name} ${arg_SOURCES})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
     target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest_main GTest::gmock)
+    # Tests of one program have small helpers of one name.
+    if(CMAKE_UNITY_BUILD_BATCH_SIZE GREATER 32)
+        set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 32)
+    endif()
     target_compile_definitions(${name} PRIVATE OSGTRAINER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     osgtrainer_common(${name})
     target_compile_options(${name} PRIVATE
