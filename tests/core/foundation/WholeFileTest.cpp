@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include <foundation/WholeFile.h>
+#include <foundation/WritableFolder.h>
 #include <gtest/gtest.h>
 
 namespace foundation
@@ -89,6 +90,33 @@ TEST_F(WholeFileTest, CheckingLeavesNothing)
     EXPECT_TRUE(checkWritable(_folder / "a"));
     EXPECT_TRUE(checkWritable({}));
     EXPECT_EQ(entries(), 0);
+}
+
+TEST_F(WholeFileTest, CheckingAFolderLeavesNothingAndKeepsWhatIsThere)
+{
+    EXPECT_TRUE(checkFolderWritable(_folder / "a" / "b" / "c", "picture.png"));
+    EXPECT_TRUE(checkFolderWritable((_folder / "a" / "b").string() + '/', "picture.png"));
+    EXPECT_TRUE(checkFolderWritable({}, "picture.png"));
+    EXPECT_EQ(entries(), 0);
+    fs::create_directory(_folder / "there");
+    EXPECT_TRUE(checkFolderWritable(_folder / "there", "picture.png"));
+    EXPECT_TRUE(checkFolderWritable(_folder / "there" / "deeper", "picture.png"));
+    EXPECT_TRUE(fs::is_directory(_folder / "there"));
+    EXPECT_TRUE(fs::is_empty(_folder / "there"));
+}
+
+TEST_F(WholeFileTest, AFolderThatTakesNoFilesIsNamed)
+{
+    ASSERT_TRUE(writeWholeFile(_folder / "file", "text"));
+    for (const fs::path& folder : {_folder / "file", _folder / "file" / "below", fs::path("/proc/none")})
+    {
+        const Outcome checked = checkFolderWritable(folder, "picture.png");
+        ASSERT_FALSE(checked) << folder;
+        EXPECT_TRUE(checked.error().place.starts_with(folder.string())) << checked.error().message();
+    }
+    fs::create_directories(_folder / "taken" / "picture.png");
+    EXPECT_FALSE(checkFolderWritable(_folder / "taken", "picture.png"));
+    EXPECT_TRUE(fs::is_directory(_folder / "taken" / "picture.png"));
 }
 
 } // namespace
