@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <osgTerrainROAM/core/heightfield/DemCheck.h>
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include "DemMosaic.h"
@@ -89,6 +90,24 @@ Result<HeightField> import(std::span<const std::filesystem::path> files, const D
 }
 
 } // namespace
+
+Outcome checkDems(std::span<const std::filesystem::path> files, const DemImportOptions& options)
+{
+    GdalSession gdal;
+    for (const std::filesystem::path& file : files)
+    {
+        Result<Raster> head = readHead(file, gdal);
+        if (!head) return head.error();
+        HeightField field;
+        field.name = file.string();
+        // Where a raster has a frame, placing it takes long, and seldom fails.
+        const Outcome placed = files.size() > 1 ? checkPlaced(file, *head)
+                               : head->frame    ? foundation::success()
+                                                : placeField(field, *head, options, gdal);
+        if (!placed) return placed;
+    }
+    return foundation::success();
+}
 
 Result<HeightField> importDem(const std::filesystem::path& file, const DemImportOptions& options)
 {

@@ -55,6 +55,13 @@ void settleReference(Raster& raster)
         raster.crsWkt = wgs84Wkt();
 }
 
+foundation::Outcome checkPlaced(const std::filesystem::path& file, const Raster& raster)
+{
+    if (raster.frame) return foundation::success();
+    return Error{file.string(), "has no georeference: its place among the other rasters is unknown",
+                 "assign one with gdal_translate -a_ullr"};
+}
+
 Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::path> files,
                                               const DemImportOptions& options, GdalSession& gdal)
 {
@@ -64,9 +71,7 @@ Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::p
     {
         Result<Raster> raster = readRaster(file, gdal);
         if (!raster) return raster.error();
-        if (!raster->frame)
-            return Error{file.string(), "has no georeference: its place among the other rasters is unknown",
-                         "assign one with gdal_translate -a_ullr"};
+        if (const auto placed = checkPlaced(file, *raster); !placed) return placed.error();
         settleReference(*raster);
         const auto nature = natureOf(file.string(), *raster, options, gdal);
         if (!nature) return nature.error();

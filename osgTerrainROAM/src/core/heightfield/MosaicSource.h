@@ -29,6 +29,9 @@ struct MosaicSource
 /// Gives a raster whose coordinates look like degrees WGS84 as its reference system (CellSizeReference.h).
 void settleReference(Raster& raster);
 
+/// Errors: the raster has no georeference.
+foundation::Outcome checkPlaced(const std::filesystem::path& file, const Raster& raster);
+
 /// Reads all sources. Errors: those of readRaster; no georeference; different vertical datums.
 foundation::Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::path> files,
                                                           const DemImportOptions& options, GdalSession& gdal);

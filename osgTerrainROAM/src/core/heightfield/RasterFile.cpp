@@ -26,8 +26,6 @@ using foundation::Result;
 Outcome readSamples(const RasterSource& source, GdalSession& gdal, Raster& raster)
 {
     SampleDecoder decoder(source.band());
-    raster.columns = GDALGetRasterXSize(source.dataset.get());
-    raster.rows = GDALGetRasterYSize(source.dataset.get());
     raster.heightsM.reserve(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
     std::vector<double> row(static_cast<std::size_t>(raster.columns));
     for (int r = 0; r < raster.rows; ++r)
@@ -53,6 +51,14 @@ Outcome readSamples(const RasterSource& source, GdalSession& gdal, Raster& raste
     return foundation::success();
 }
 
+Raster sizeOf(const RasterSource& source)
+{
+    Raster raster;
+    raster.columns = GDALGetRasterXSize(source.dataset.get());
+    raster.rows = GDALGetRasterYSize(source.dataset.get());
+    return raster;
+}
+
 } // namespace
 
 Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal)
@@ -60,10 +66,22 @@ Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal)
     const Result<RasterSource> source = openSource(file, gdal);
     if (!source) return source.error();
     if (const Outcome shape = checkShape(*source); !shape) return shape.error();
-    Raster raster;
+    Raster raster = sizeOf(*source);
     if (const Outcome samples = readSamples(*source, gdal, raster); !samples) return samples.error();
     if (const Outcome oriented = orientRaster(source->name, source->dataset.get(), raster); !oriented)
         return oriented.error();
+    if (raster.frame) raster.crsWkt = crsWktOf(*source);
+    return raster;
+}
+
+Result<Raster> readHead(const std::filesystem::path& file, GdalSession& gdal)
+{
+    const Result<RasterSource> source = openSource(file, gdal);
+    if (!source) return source.error();
+    if (const Outcome shape = checkShape(*source); !shape) return shape.error();
+    Raster raster = sizeOf(*source);
+    if (const auto turn = readOrientation(source->name, source->dataset.get(), raster); !turn)
+        return turn.error();
     if (raster.frame) raster.crsWkt = crsWktOf(*source);
     return raster;
 }

@@ -43,4 +43,7 @@ struct Raster
 /// rotated, fewer than 2×2 or more than 32769×32769 samples.
 foundation::Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal);
 
+/// The same without the samples, whose errors are not found.
+foundation::Result<Raster> readHead(const std::filesystem::path& file, GdalSession& gdal);
+
 } // namespace osgTerrainROAM::core
