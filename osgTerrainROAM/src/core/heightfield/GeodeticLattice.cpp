@@ -90,15 +90,15 @@ GeodeticLattice::Node GeodeticLattice::blend(int cellColumn, int cellRow, const 
                                              const Weights& wy) const
 {
     const Node* node = &_nodes[static_cast<std::size_t>(2 * cellRow) * _side + 2 * cellColumn];
-    Node sum;
+    glm::dvec3 base(0.0), up(0.0); // they stay in registers
     for (int j = 0; j < 3; ++j, node += _side)
         for (int i = 0; i < 3; ++i)
         {
             const double w = wx.w[i] * wy.w[j];
-            for (std::size_t k = 0; k < sum.values.size(); ++k)
-                sum.values[k] += w * node[i].values[k];
+            base += w * node[i].base();
+            up += w * node[i].up();
         }
-    return sum;
+    return {base, up};
 }
 
 glm::dvec3 GeodeticLattice::position(int column, int row, double heightM) const

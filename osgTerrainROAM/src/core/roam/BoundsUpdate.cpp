@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include <foundation/ForEachAtOnce.h>
+
 #include <osgTerrainROAM/core/roam/BoundsUpdate.h>
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
 #include <osgTerrainROAM/core/roam/Outline.h>
@@ -46,6 +48,8 @@ private:
     glm::dvec3 _origin, _du, _dw;
     double _largest2 = 0.0;
 };
+
+constexpr std::size_t kRun = 128, kLeastRuns = 16; ///< of vertices that one thread measures in one go
 
 /// Returns the first odd, or even, multiple of `half` that is not less than `from`.
 int firstMultiple(int from, int half, bool odd)
@@ -119,8 +123,32 @@ void BoundsUpdate::visitLevel(int half, bool isCentre)
               [&](const Wanted& a, const Wanted& b) { return key(a) < key(b); });
     const auto isSame = [](const Wanted& a, const Wanted& b) { return a.vertex == b.vertex; };
     wanted.erase(std::unique(wanted.begin(), wanted.end(), isSame), wanted.end());
-    for (const Wanted& w : wanted)
-        visit(w);
+    const std::vector<double> measured = measuredAtOnce(wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        visit(wanted[i], measured[i]);
+}
+
+/// Measures the diamonds that are small enough, in several threads where there are many: no vertex of a level changes what is measured of
+/// another. NaN: not measured.
+std::vector<double> BoundsUpdate::measuredAtOnce(const std::vector<Wanted>& wanted) const
+{
+    std::vector<double> measured(wanted.size(), std::numeric_limits<double>::quiet_NaN());
+    if (_admitted) return measured;
+    const auto measure = [&](std::size_t run)
+    {
+        for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, wanted.size()); ++i)
+        {
+            const SplitDiamond diamond(wanted[i].vertex, _tile.tile.grid().side());
+            if (wanted[i].needsOwnError && isSmall(diamond)) measured[i] = measuredM(diamond);
+        }
+    };
+    const std::size_t runs = (wanted.size() + kRun - 1) / kRun;
+    if (runs >= kLeastRuns) // an edit of a few places, beside frames that are drawn, keeps to its thread
+        foundation::forEachAtOnce(runs, measure);
+    else
+        for (std::size_t run = 0; run < runs; ++run)
+            measure(run);
+    return measured;
 }
 
 /// Collects the vertices of a level whose diamonds touch changed samples. On a level finer than the changed samples only
@@ -158,13 +186,13 @@ void BoundsUpdate::collectIn(const GridRect& rect, int half, bool isCentre, std:
     }
 }
 
-void BoundsUpdate::visit(const Wanted& wanted)
+void BoundsUpdate::visit(const Wanted& wanted, double measuredM)
 {
     const GridPoint v = wanted.vertex;
     const PlacedTile& placed = _tile.tile;
     const SplitDiamond diamond(v, placed.grid().side());
     const SplitBound before = _tile.bound(v);
-    double error = wanted.needsOwnError ? ownErrorM(diamond, before.errorM) : before.errorM;
+    double error = wanted.needsOwnError ? ownErrorM(diamond, before.errorM, measuredM) : before.errorM;
     const glm::dvec3 centre = before.centre; // as the predicate sees the vertex
     double radius = glm::distance(centre, placed.position(v.column, v.row));
     bool isAbove =
@@ -210,7 +238,13 @@ std::size_t BoundsUpdate::samplesIn(const SplitDiamond& diamond) const
     return samples;
 }
 
-double BoundsUpdate::ownErrorM(const SplitDiamond& diamond, double beforeM)
+bool BoundsUpdate::isSmall(const SplitDiamond& diamond) const
+{
+    return samplesIn(diamond) <= _mostSamples;
+}
+
+/// `measuredM`: its error, where it was small when its level began.
+double BoundsUpdate::ownErrorM(const SplitDiamond& diamond, double beforeM, double measuredM)
 {
     if (_admitted)
     {
@@ -218,9 +252,9 @@ double BoundsUpdate::ownErrorM(const SplitDiamond& diamond, double beforeM)
                                 { beforeM = std::max(beforeM, _admitted->largestM(t)); });
         return beforeM;
     }
-    const bool isSmall = samplesIn(diamond) <= _mostSamples;
-    _tile.setLoose(diamond.vertex(), !isSmall);
-    return isSmall ? measuredM(diamond) : boundM(diamond, beforeM);
+    const bool isStillSmall = isSmall(diamond); // bounds that are kept only add to the samples' space
+    _tile.setLoose(diamond.vertex(), !isStillSmall);
+    return isStillSmall ? measuredM : boundM(diamond, beforeM);
 }
 
 double BoundsUpdate::measuredM(const SplitDiamond& diamond) const

@@ -68,9 +68,11 @@ private:
     void visitLevel(int half, bool isCentre);
     void collect(const ChangedPlaces& changed, int half, bool isCentre, std::vector<Wanted>& wanted) const;
     void collectIn(const GridRect& rect, int half, bool isCentre, std::vector<Wanted>& wanted) const;
-    void visit(const Wanted& wanted);
+    std::vector<double> measuredAtOnce(const std::vector<Wanted>& wanted) const;
+    void visit(const Wanted& wanted, double measuredM);
     void propagate(const SplitDiamond& diamond, const SplitBound& before, const SplitBound& after);
-    double ownErrorM(const SplitDiamond& diamond, double beforeM);
+    bool isSmall(const SplitDiamond& diamond) const;
+    double ownErrorM(const SplitDiamond& diamond, double beforeM, double measuredM);
     double measuredM(const SplitDiamond& diamond) const;
     double boundM(const SplitDiamond& diamond, double beforeM) const;
     double changedErrorM(const GridTriangle& triangle) const;
