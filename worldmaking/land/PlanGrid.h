@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -46,15 +46,17 @@ public:
     template<class Use>
     void near(const MapBox& box, const Use& use) const
     {
-        std::set<std::size_t> found;
+        std::vector<std::size_t> found;
         forSquares(box,
                    [&](std::uint64_t square)
                    {
                        const auto things = _squares.find(square);
                        if (things == _squares.end()) return;
                        for (const auto& [thing, its] : things->second)
-                           if (its.meets(box)) found.insert(thing);
+                           if (its.meets(box)) found.push_back(thing);
                    });
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
         for (const std::size_t thing : found)
             use(thing);
     }

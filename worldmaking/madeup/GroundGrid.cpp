@@ -2,7 +2,10 @@
 #include "worldmaking/madeup/GroundGrid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+
+#include <foundation/ForEachAtOnce.h>
 
 namespace worldmaking
 {
@@ -11,26 +14,34 @@ namespace
 {
 
 constexpr double kSeaShare = 0.01;
+constexpr int kStripRows = 64; ///< asked by one thread in one go
 
 } // namespace
 
-GroundGrid::GroundGrid(const MapBox& box, double cellM, const Height& height)
+GroundGrid::GroundGrid(const MapBox& box, double cellM, const HeightMaker& heights)
     : _box(box),
       _cellM(cellM),
       _columns(std::max(2, static_cast<int>((box.high.x - box.low.x) / cellM) + 1)),
       _rows(std::max(2, static_cast<int>((box.high.y - box.low.y) / cellM) + 1)),
       _heights(static_cast<std::size_t>(_columns) * static_cast<std::size_t>(_rows), 2.0F * kNoGround)
 {
-    std::size_t known = 0, low = 0;
-    for (int row = 0; row < _rows; ++row)
-        for (int column = 0; column < _columns; ++column)
-        {
-            const auto heightM = height(placeOf(column, row));
-            if (!heightM) continue;
-            _heights[index(column, row)] = static_cast<float>(*heightM);
-            ++known;
-            low += *heightM <= 0.0;
-        }
+    std::atomic<std::size_t> known{0}, low{0};
+    const auto strips = static_cast<std::size_t>((_rows + kStripRows - 1) / kStripRows);
+    foundation::forEachAtOnce(strips,
+                              [&](std::size_t strip)
+                              {
+                                  const Height height = heights();
+                                  const int first = static_cast<int>(strip) * kStripRows;
+                                  for (int row = first; row < std::min(first + kStripRows, _rows); ++row)
+                                      for (int column = 0; column < _columns; ++column)
+                                      {
+                                          const auto heightM = height(placeOf(column, row));
+                                          if (!heightM) continue;
+                                          _heights[index(column, row)] = static_cast<float>(*heightM);
+                                          ++known;
+                                          low += *heightM <= 0.0 ? 1 : 0;
+                                      }
+                              });
     _hasSea = static_cast<double>(low) > kSeaShare * static_cast<double>(known);
 }
 

@@ -19,8 +19,15 @@ class GroundGrid
 public:
     using Height = std::function<std::optional<double>(const glm::dvec2& plan)>;
 
-    /// Asks for the height of each point. Where there is none the grid has no ground.
-    GroundGrid(const MapBox& box, double cellM, const Height& height);
+    /// Makes what a thread of its own asks for heights.
+    using HeightMaker = std::function<Height()>;
+
+    /// Asks for the height of each point, in many threads, each of what was made for it. Where there is none the grid has no ground.
+    GroundGrid(const MapBox& box, double cellM, const HeightMaker& heights);
+    GroundGrid(const MapBox& box, double cellM, const Height& height)
+        : GroundGrid(box, cellM, HeightMaker([&height] { return height; }))
+    {
+    }
 
     int columns() const { return _columns; }
     int rows() const { return _rows; }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include <foundation/ForEachAtOnce.h>
 
 #include "worldmaking/madeup/MadeUpLand.h"
 #include "worldmaking/madeup/Noise.h"
@@ -67,10 +70,13 @@ void MadeUpLand::till()
     };
     const ParcelRules rules{_ground, [&](const glm::dvec2& place) { return farmWish(place); }, taken,
                             _settings.seed};
-    std::size_t number = 0;
-    for (PlanRings& field : parcelsOn(rules))
+    std::vector<PlanRings> fields = parcelsOn(rules), grown(fields.size());
+    foundation::forEachAtOnce(fields.size(),
+                              [&](std::size_t i) { grown[i] = grownRings(fields[i], kWoodBalkM); });
+    for (std::size_t number = 1; number <= fields.size(); ++number)
     {
-        addHedges(field, ++number);
+        PlanRings& field = fields[number - 1];
+        addHedges(field, number);
         Dice dice(seedFor(_settings.seed, 72, number));
         static constexpr std::array<const char*, 6> kCrops{"wheat",    "barley", "maize",
                                                            "rapeseed", "wheat",  "potato"};
@@ -82,7 +88,7 @@ void MadeUpLand::till()
             shapes.push_back(areaShape(field, {{"landuse", "meadow"}}));
         else
             shapes.push_back(areaShape(field, {{"landuse", "farmland"}, {"crop", dice.oneOf(kCrops)}}));
-        _tilled.add(grownRings(field, kWoodBalkM));
+        _tilled.add(std::move(grown[number - 1]));
         _fields.add(std::move(field));
         ++report.fields;
     }

@@ -78,6 +78,18 @@ foundation::Result<MapPlane> planeAbout(const MapBounds& bounds)
     return MapPlane::create(header, "the made-up map");
 }
 
+/// Heights in the plane about bounds, for one thread: planes are asked by one at a time.
+GroundGrid::Height planHeights(const MapBounds& bounds, const GroundOnEarth& ground)
+{
+    auto plane = planeAbout(bounds);
+    if (!plane) return [](const glm::dvec2&) { return std::optional<double>(); };
+    return [own = std::move(*plane), &ground](const glm::dvec2& plan) -> std::optional<double>
+    {
+        const auto place = own.toDegrees(plan);
+        return place ? ground(place->y, place->x) : std::nullopt;
+    };
+}
+
 /// The box of the plane around bounds.
 std::optional<MapBox> boxAround(const MapBounds& bounds, const MapPlane& plane)
 {
@@ -103,11 +115,7 @@ foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeU
                      "give --map, or larger elevation data"};
     const double widthM = std::max(box->high.x - box->low.x, box->high.y - box->low.y);
     const GroundGrid grid(*box, std::max(kFinestM, widthM / kMostPoints),
-                          [&](const glm::dvec2& plan) -> std::optional<double>
-                          {
-                              const auto place = plane->toDegrees(plan);
-                              return place ? ground(place->y, place->x) : std::nullopt;
-                          });
+                          GroundGrid::HeightMaker([&] { return planHeights(bounds, ground); }));
     MadeUpLand land(grid, settings);
     land.make();
     if (land.report.roadsKm <= 0.0)

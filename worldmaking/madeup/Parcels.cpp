@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
+
+#include <foundation/ForEachAtOnce.h>
 
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/madeup/Noise.h"
@@ -28,39 +31,32 @@ struct ParcelSamples
     double meanSlope = 0.0, good = 0.0; ///< good: share that is land and wished for
 };
 
+/// Cuts land into parcels.
 class Divider
 {
 public:
-    Divider(const ParcelRules& rules, std::vector<PlanRings>& fields) : _rules(rules), _fields(fields) {}
+    explicit Divider(const ParcelRules& rules) : _rules(rules) {}
 
     void divide(const std::vector<glm::dvec2>& ring, Dice& dice)
     {
         if (ring.size() < 3) return;
         const double areaM2 = std::abs(scenery::turnedAreaOf(ring));
         if (areaM2 < kLeastParcelM2) return;
-        if (areaM2 > wantedM2(ring.front()) * dice.between(0.7, 1.3))
+        if (areaM2 <= wantedM2(ring.front()) * dice.between(0.7, 1.3))
         {
-            const auto box = scenery::rectangleAround(ring);
-            const glm::dvec2 along = cutAlong(box, areaM2, dice);
-            const glm::dvec2 through =
-                box.middle + dice.between(-0.25, 0.25) * box.halfWidthM * glm::dvec2(-along.y, along.x);
-            const auto [left, right] = cutRing(ring, through, along);
-            divide(left, dice);
-            divide(right, dice);
+            parcels.push_back(ring);
             return;
         }
-        const ParcelSamples samples = look(ring);
-        if (samples.good < 0.6 || samples.meanSlope > kSteepestField) return;
-        const MapBox box = boxOf(ring);
-        const PlanArea area = PlanArea(PlanRings{ring})
-                                  .grown(-kBalkM)
-                                  .without(_rules.taken(box))
-                                  .grown(-kCornerM)
-                                  .grown(kCornerM);
-        for (PlanRings& part : area.parts(kLeastParcelM2))
-            if (look(part.front()).meanSlope <= kSteepestField && part.size() == 1)
-                _fields.push_back(std::move(part));
+        const auto box = scenery::rectangleAround(ring);
+        const glm::dvec2 along = cutAlong(box, areaM2, dice);
+        const glm::dvec2 through =
+            box.middle + dice.between(-0.25, 0.25) * box.halfWidthM * glm::dvec2(-along.y, along.x);
+        const auto [left, right] = cutRing(ring, through, along);
+        divide(left, dice);
+        divide(right, dice);
     }
+
+    std::vector<std::vector<glm::dvec2>> parcels;
 
 private:
     double wantedM2(const glm::dvec2& place) const
@@ -82,27 +78,44 @@ private:
         return std::abs(glm::dot(contour, box.along)) > 0.7 ? box.along : box.across();
     }
 
-    ParcelSamples look(const std::vector<glm::dvec2>& ring) const
-    {
-        const MapBox box = boxOf(ring);
-        ParcelSamples samples;
-        int count = 0, good = 0;
-        for (double y = box.low.y + 0.5 * kParcelSampleM; y < box.high.y; y += kParcelSampleM)
-            for (double x = box.low.x + 0.5 * kParcelSampleM; x < box.high.x; x += kParcelSampleM)
-            {
-                const glm::dvec2 place(x, y);
-                if (!scenery::isWithin({ring}, place)) continue;
-                ++count;
-                samples.meanSlope += _rules.ground.slope(place);
-                good += _rules.ground.isLand(place) && _rules.wish(place) > 0.0;
-            }
-        if (count == 0) return {1.0, 0.0};
-        return {samples.meanSlope / count, static_cast<double>(good) / count};
-    }
-
     const ParcelRules& _rules;
-    std::vector<PlanRings>& _fields;
 };
+
+ParcelSamples samplesIn(const ParcelRules& rules, const std::vector<glm::dvec2>& ring)
+{
+    const MapBox box = boxOf(ring);
+    const PlanRings rings{ring};
+    ParcelSamples samples;
+    int count = 0, good = 0;
+    for (double y = box.low.y + 0.5 * kParcelSampleM; y < box.high.y; y += kParcelSampleM)
+        for (double x = box.low.x + 0.5 * kParcelSampleM; x < box.high.x; x += kParcelSampleM)
+        {
+            const glm::dvec2 place(x, y);
+            if (!scenery::isWithin(rings, place)) continue;
+            ++count;
+            samples.meanSlope += rules.ground.slope(place);
+            good += rules.ground.isLand(place) && rules.wish(place) > 0.0;
+        }
+    if (count == 0) return {1.0, 0.0};
+    return {samples.meanSlope / count, static_cast<double>(good) / count};
+}
+
+/// What is left of a parcel for fields.
+std::vector<PlanRings> fieldsOn(const ParcelRules& rules, const std::vector<glm::dvec2>& ring)
+{
+    const ParcelSamples samples = samplesIn(rules, ring);
+    if (samples.good < 0.6 || samples.meanSlope > kSteepestField) return {};
+    const PlanArea area = PlanArea(PlanRings{ring})
+                              .grown(-kBalkM)
+                              .without(rules.taken(boxOf(ring)))
+                              .grown(-kCornerM)
+                              .grown(kCornerM);
+    std::vector<PlanRings> fields;
+    for (PlanRings& part : area.parts(kLeastParcelM2))
+        if (samplesIn(rules, part.front()).meanSlope <= kSteepestField && part.size() == 1)
+            fields.push_back(std::move(part));
+    return fields;
+}
 
 } // namespace
 
@@ -127,11 +140,16 @@ cutRing(const std::vector<glm::dvec2>& ring, const glm::dvec2& through, const gl
 
 std::vector<PlanRings> parcelsOn(const ParcelRules& rules)
 {
-    std::vector<PlanRings> fields;
     const MapBox& box = rules.ground.box();
-    Divider divider(rules, fields);
+    Divider divider(rules);
     Dice dice(seedFor(rules.seed, 41));
     divider.divide({box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, dice);
+    std::vector<std::vector<PlanRings>> found(divider.parcels.size());
+    foundation::forEachAtOnce(found.size(),
+                              [&](std::size_t i) { found[i] = fieldsOn(rules, divider.parcels[i]); });
+    std::vector<PlanRings> fields;
+    for (std::vector<PlanRings>& some : found)
+        std::move(some.begin(), some.end(), std::back_inserter(fields));
     return fields;
 }
 

@@ -12,6 +12,7 @@ namespace worldmaking
 {
 
 /// What fields have to keep to.
+/// Threads: what is asked for here is called in many at once.
 struct ParcelRules
 {
     const GroundGrid& ground;

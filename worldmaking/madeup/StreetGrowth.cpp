@@ -129,12 +129,15 @@ private:
     {
         const auto other = _web.nearest(place + 0.5 * kStreetReachM * direction, kStreetReachM);
         if (!other) return std::nullopt;
+        const MapBox reach = boxOf({place, place + kStreetReachM * direction});
+        const MapBox ahead{reach.low - 1.0, reach.high + 1.0}; // wider than rounding
         std::optional<glm::dvec2> best;
         double least = kStreetReachM;
         for (const MadeWay& way : _web.ways())
             for (std::size_t i = 0; i + 1 < way.points.size(); ++i)
             {
                 const glm::dvec2 &a = way.points[i], &b = way.points[i + 1];
+                if (!ahead.meets({glm::min(a, b), glm::max(a, b)})) continue;
                 const auto hit = crossingOf(place, place + kStreetReachM * direction, a, b);
                 if (!hit || glm::distance(*hit, place) >= least) continue;
                 const glm::dvec2 along = glm::normalize(b - a);

@@ -24,7 +24,8 @@ class GdalScope
 public:
     GdalScope()
     {
-        GDALAllRegister(); // does nothing when done before
+        static const bool isRegistered = (GDALAllRegister(), true); // it looks for all drivers each time
+        (void)isRegistered;
         CPLPushErrorHandlerEx(
             [](CPLErr severity, CPLErrorNum number, const char* message)
             {
