@@ -130,6 +130,8 @@ void addBuild(CLI::App& app, Chosen& chosen)
                     throw CLI::ValidationError(option, "has a meaning with --method removal only");
             if (request->removesVertices && command->count("--shape-only") > 0)
                 throw CLI::ValidationError("--shape-only", "has no meaning with --method removal");
+            chosen.places.written = {request->output};
+            chosen.places.read.assign(request->models.files.begin(), request->models.files.end()); // one
             chosen.work = [request]
             {
                 return forEachModel(request->models.files,

@@ -7,6 +7,7 @@
 #include <foundation/Result.h>
 
 #include "terminal/CommandLine.h"
+#include "terminal/Places.h"
 #include "terminal/Report.h"
 
 // docs/reference/json-tables.md has the layout of every table.
@@ -18,6 +19,7 @@ struct Chosen
 {
     std::function<foundation::Result<terminal::Report>()> work;
     std::filesystem::path jsonFile;
+    terminal::Places places{}; ///< that are checked before the work
 };
 
 /// Declares `info`: prints what is in each model or progressive mesh.

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include <foundation/WholeFile.h>
+#include <foundation/WritableFolder.h>
 
 #include <osgDB/Registry>
 
@@ -26,6 +27,8 @@ std::string OutputNames::nameFor(const std::string& file)
 
 foundation::Outcome makeFolder(const std::filesystem::path& folder)
 {
+    if (const auto writable = foundation::checkFolderWritable(folder, "model.osgb"); !writable)
+        return writable;
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
     if (!failed && std::filesystem::is_directory(folder, failed)) return foundation::success();

@@ -20,7 +20,7 @@ private:
     std::map<std::string, int> _used;
 };
 
-/// Creates a folder, and those above it, unless it exists. Errors: it cannot be created.
+/// Creates a folder, and those above it, unless it exists. Errors: it cannot be created, or takes no files.
 foundation::Outcome makeFolder(const std::filesystem::path& folder);
 
 /// Writes a model, with its textures inside, in a format that OSG writes to a stream, chosen by the extension (.osgb, .osgt, .ive).

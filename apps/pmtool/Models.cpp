@@ -7,6 +7,7 @@
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 
 #include "terminal/Guard.h"
+#include "terminal/Progress.h"
 #include "terminal/Terminal.h"
 
 namespace pmtool
@@ -79,8 +80,10 @@ forEachModel(const std::vector<std::string>& files,
 {
     terminal::Report report;
     report.json["models"] = nlohmann::ordered_json::array();
+    terminal::Progress progress("pmtool", files.size());
     for (const std::string& file : files)
     {
+        progress.begin(file, 1);
         auto row = resultOf(work, file);
         if (row)
             report.json["models"].push_back(std::move(*row));

@@ -26,7 +26,7 @@ int run(int argc, char** argv)
     pmtool::addCompareSilhouette(*compare, chosen);
     pmtool::addCompareTolerance(*compare, chosen);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
-    return terminal::report("pmtool", chosen.jsonFile, chosen.work);
+    return terminal::report("pmtool", chosen.jsonFile, chosen.work, chosen.places);
 }
 
 } // namespace

@@ -36,7 +36,11 @@ int run(int argc, char** argv)
     draw->add_option("--pixels", request.pixels, "pixels of the longer side (1600)")
         ->check(CLI::Range(16, 16384));
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
-    return terminal::report("roadtool", jsonFile, [&] { return command(request); });
+    terminal::Places places{{request.svgFile, request.pngFile}, {}, {}};
+    // A validation tells of each file what is wrong with it, and goes on.
+    if (!validate->parsed()) places.read.assign(request.files.begin(), request.files.end());
+    return terminal::report(
+        "roadtool", jsonFile, [&] { return command(request); }, places);
 }
 
 } // namespace

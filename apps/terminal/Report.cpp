@@ -20,10 +20,10 @@ std::string textOf(const nlohmann::ordered_json& json)
 } // namespace
 
 int report(const std::string& program, const std::filesystem::path& jsonFile,
-           const std::function<foundation::Result<Report>()>& work)
+           const std::function<foundation::Result<Report>()>& work, Places places)
 {
-    if (const auto writable = foundation::checkWritable(jsonFile); !writable)
-        return fail(program, writable.error());
+    places.written.push_back(jsonFile);
+    if (const auto usable = checkPlaces(places); !usable) return fail(program, usable.error());
     const auto done = work();
     if (!done) return fail(program, done.error());
     if (!jsonFile.empty())

@@ -42,6 +42,10 @@ struct Request
 
 using terminal::Report;
 
+/// Tells what is wrong with the heads of all files before the first is loaded. Errors: those of describeTerrain(), checkDems() and
+/// checkReadable().
+foundation::Outcome checkHeads(const Request& request);
+
 /// Sizes, heights, voids and placement of each file.
 foundation::Result<Report> info(const Request& request);
 

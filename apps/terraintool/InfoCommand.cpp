@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <iostream>
 
+#include <foundation/ReadableFile.h>
+
 #include <osgTerrainROAM/core/LoadTerrain.h>
+#include <osgTerrainROAM/core/heightfield/DemCheck.h>
 
 #include "terraintool/Commands.h"
 
@@ -80,8 +83,24 @@ void printInfo(const nlohmann::ordered_json& row)
 
 } // namespace
 
+foundation::Outcome checkHeads(const Request& request)
+{
+    for (const std::filesystem::path file : request.files)
+    {
+        const std::string suffix = file.extension().string();
+        if (suffix == ".mt") continue; // its faults are findings
+        const auto description = describeTerrain(file, request.import);
+        const auto sound = suffix == ".xosc" ? foundation::checkReadable(file)
+                           : description     ? checkDems(description->dems, description->import)
+                                             : description.error();
+        if (!sound) return sound;
+    }
+    return foundation::success();
+}
+
 foundation::Result<Report> info(const Request& request)
 {
+    if (const auto sound = checkHeads(request); !sound) return sound.error();
     Report report;
     for (const std::string& file : request.files)
     {

@@ -9,7 +9,7 @@
 
 #include "scenery/roads/LayRoads.h"
 #include "simulation/parser/ParseScenario.h"
-#include "terminal/Terminal.h"
+#include "terminal/Progress.h"
 #include "terraintool/Commands.h"
 #include "terraintool/FlightFindings.h"
 #include "terraintool/FlightViews.h"
@@ -99,6 +99,7 @@ foundation::Result<FlightFindings> fly(const Request& request, const std::string
 
 foundation::Result<Report> validate(const Request& request)
 {
+    if (const auto sound = checkHeads(request); !sound) return sound.error();
     Report report;
     for (const std::string& file : request.files)
     {

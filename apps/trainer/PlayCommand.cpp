@@ -11,7 +11,7 @@
 #include "SceneTour.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/writer/WriteScenario.h"
-#include "terminal/Terminal.h"
+#include "terminal/Progress.h"
 #include "view/HtmlReport.h"
 #include "view/StatisticsFile.h"
 #include "window/WindowSession.h"

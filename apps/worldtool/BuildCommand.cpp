@@ -6,6 +6,8 @@
 #include <system_error>
 
 #include <osgTerrainROAM/core/Climate.h>
+#include <osgTerrainROAM/core/cover/CoverTable.h>
+#include <osgTerrainROAM/core/heightfield/DemCheck.h>
 
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/land/Waters.h"
@@ -57,6 +59,28 @@ void print(const nlohmann::ordered_json& rows)
             std::cout << part << '.' << key << ' ' << value.dump() << '\n';
 }
 
+/// The runways of a table, and how many others it has.
+struct ListedRunways
+{
+    std::vector<worldmaking::Runway> runways;
+    std::size_t unusable = 0;
+};
+
+/// Reads of the inputs what is read in no time, so that what is wrong with it is told before any work.
+foundation::Result<ListedRunways> readHeads(const Request& request)
+{
+    if (const auto usable = osgTerrainROAM::core::checkDems(request.dems); !usable) return usable.error();
+    if (!request.landCover.empty())
+        if (const auto table = osgTerrainROAM::core::readCoverTable(request.landCoverClasses); !table)
+            return table.error();
+    ListedRunways listed;
+    if (request.runways.empty()) return listed;
+    auto read = worldmaking::readRunways(request.runways, listed.unusable);
+    if (!read) return read.error();
+    listed.runways = std::move(*read);
+    return listed;
+}
+
 /// Level ground is no lake where the map tells what water there is: villages stood in water on a delta whose heights are whole metres.
 const char* waterOf(const worldmaking::LandMap& land, bool isMadeUp, bool hasSea)
 {
@@ -66,15 +90,28 @@ const char* waterOf(const worldmaking::LandMap& land, bool isMadeUp, bool hasSea
 
 } // namespace
 
+terminal::Places placesOf(const Request& request)
+{
+    terminal::Places places;
+    places.folders = {{request.world, "build.json"}};
+    places.read = {request.runways, request.landCover};
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(request.map, ignored))
+        places.read.push_back(request.map); // else of shapefiles
+    return places;
+}
+
 foundation::Result<Report> build(const Request& request)
 {
+    const auto bounds = boundsOf(request);
+    if (!bounds) return bounds.error();
+    const auto listed = readHeads(request);
+    if (!listed) return listed.error();
     std::error_code failed;
     std::filesystem::create_directories(request.world, failed);
     if (failed)
         return foundation::Error{request.world.string(), "cannot be made: " + failed.message(),
                                  "name a folder that can be written"};
-    const auto bounds = boundsOf(request);
-    if (!bounds) return bounds.error();
     auto state = BuildState::open(request);
     if (!state) return state.error();
     if (state->isWhole())
@@ -90,8 +127,13 @@ foundation::Result<Report> build(const Request& request)
         print(made.json);
         return made;
     }
+    terminal::Progress progress("worldtool", 100);
+    progress.begin(kGround.name, kGround.share);
     const auto ground = loadGround(request.dems);
     if (!ground) return ground.error();
+    auto cover = coverOf(request, *ground);
+    if (!cover) return cover.error();
+    progress.begin(kMap.name, kMap.share);
     const bool isMadeUp = request.map.empty();
     auto map =
         isMadeUp ? foundation::Result<WholeMap>(WholeMap()) : readMap(request.map, *bounds, ground->bounds);
@@ -99,8 +141,6 @@ foundation::Result<Report> build(const Request& request)
     if (!isMadeUp && map->streets.ways.empty() && !map->isOn(*ground))
         return foundation::Error{request.map.string(), "nothing in it lies on the elevation data",
                                  "give a map and elevation data of the same region"};
-    auto cover = coverOf(request, *ground);
-    if (!cover) return cover.error();
     std::vector<worldmaking::Runway> runways;
     bool hasSea = false;
     std::optional<WorldClimate> climate;
@@ -122,17 +162,11 @@ foundation::Result<Report> build(const Request& request)
             places.push_back(
                 {{"kind", place.kind}, {"longitudeDeg", place.degrees.x}, {"latitudeDeg", place.degrees.y}});
     }
-    std::size_t unusableRunways = 0;
-    if (!request.runways.empty())
-    {
-        auto read = worldmaking::readRunways(request.runways, unusableRunways);
-        if (!read) return read.error();
-        runways.insert(runways.end(), read->begin(), read->end());
-    }
-    WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways, hasSea,
+    runways.insert(runways.end(), listed->runways.begin(), listed->runways.end());
+    WorldMaker maker({request, map->streets, map->land, *bounds, runways, listed->unusable, hasSea,
                       waterOf(map->land, isMadeUp, hasSea), madePlaces, ground->placeInScene, climate,
                       *std::move(cover)},
-                     ground->heightM, std::move(*state));
+                     ground->heightM, std::move(*state), progress);
     if (isMadeUp) maker.report.json["madeUp"] = madeUp;
     if (isMadeUp) maker.report.json["places"] = places;
     if (const auto made = maker.make(); !made) return made.error();

@@ -9,6 +9,7 @@
 
 #include <foundation/Result.h>
 
+#include "terminal/Places.h"
 #include "terminal/Report.h"
 
 namespace worldtool
@@ -33,8 +34,11 @@ struct Request
 
 using terminal::Report;
 
+/// What a build reads and writes.
+terminal::Places placesOf(const Request& request);
+
 /// Makes a world of elevation data and a map, or of one that is made up: WORLD/roads.xodr, buildings.gpkg, ground.gpkg, landcover.tif, trees.gpkg, world.roam, and a report of what was used. The
-/// folder is made where there is none; of its files those alone are replaced, each as a whole.
+/// folder is made where there is none; of its files those alone are replaced, each as a whole. What is wrong with the heads of the inputs is told before any work.
 /// Errors: those of importDems(), readOsm(), readLand() and buildStreets(); bounds that are none; files that cannot be written.
 foundation::Result<Report> build(const Request& request);
 

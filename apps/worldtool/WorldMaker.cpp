@@ -6,6 +6,7 @@
 #include <sstream>
 #include <system_error>
 
+#include <foundation/Threads.h>
 #include <foundation/WholeFile.h>
 
 #include <osgRoads/core/write/WriteNetwork.h>
@@ -40,7 +41,9 @@ foundation::Outcome WorldMaker::make()
 {
     const std::string mapName =
         _source.request.map.empty() ? "the made-up map" : _source.request.map.string();
+    begin(kEarth);
     if (auto made = makeEarth(); !made) return made;
+    begin(kStreets);
     const auto streets = makeStreets(mapName);
     if (!streets) return streets.error();
     _hasRoads = !streets->network.roads.empty();
@@ -61,7 +64,9 @@ foundation::Outcome WorldMaker::make()
     const worldmaking::RoadRoom room(streets->network);
     for (const worldmaking::Runway& runway : _runways)
         if (const auto strip = worldmaking::stripOf(runway, *plane)) _strips.push_back(*strip);
+    begin(kHouses);
     if (auto made = makeHouses(*plane, room); !made) return made;
+    begin(kLand);
     if (auto made = makeLand(*plane, room, streets->network.header.geoReference); !made) return made;
     if (const RideSource rides{streets->network, *plane, _source.places, _runways, _source.placeInScene};
         !_source.places.empty())
@@ -74,6 +79,7 @@ foundation::Outcome WorldMaker::make()
                             { return foundation::writeWholeFile(path, report.json.dump(2) + '\n'); });
         !written)
         return written;
+    begin(kEdits);
     if (_hasRoads)
         if (auto made = part("ground.edits", [&](const auto&) { return makeEdits(); }); !made) return made;
     const std::string edits = _hasRoads ? "edits = ground.edits\n" : "";
@@ -97,13 +103,17 @@ foundation::Outcome WorldMaker::makeEdits()
     if (!description) return description.error();
     osgTerrainROAM::core::RoamFile bare = *description; // without its earthworks, which the edits hold, too
     bare.earthworks.clear();
-    const auto before = osgTerrainROAM::core::loadRoamTile(bare);
-    if (!before) return before.error();
+    using Tile = foundation::Result<std::shared_ptr<osgTerrainROAM::core::RoamTile>>;
+    std::optional<Tile> before;
+    foundation::Threads beside;
+    beside.run([&] { before = osgTerrainROAM::core::loadRoamTile(bare); });
     const auto cut = scenery::loadRoadTile(*description);
+    beside.join();
+    if (!*before) return before->error();
     if (!cut) return cut.error();
     const auto source = osgTerrainROAM::core::editSourceOf(*description);
     if (!source) return source.error();
-    return osgTerrainROAM::core::writeEdits(**before, *cut->tile, *source, file("ground.edits"));
+    return osgTerrainROAM::core::writeEdits(***before, *cut->tile, *source, file("ground.edits"));
 }
 
 /// The works of waters in the plane of the roads, which is about the middle of the streets alone.
@@ -242,6 +252,7 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
     report.json["models"] = {{"standing", *models}};
     if (_hasModels)
         if (auto noted = _state.note("objects.gpkg"); !noted) return noted;
+    begin(kTrees);
     const auto trees =
         worldmaking::treesOf(_source.land, plane, {room, cover, _houses, _strips}, height, plants);
     _hasTrees = !trees.empty();

@@ -8,7 +8,7 @@
 
 #include <osgTerrainROAM/core/edit/Earthworks.h>
 
-#include "terminal/Terminal.h"
+#include "terminal/Progress.h"
 #include "worldmaking/land/CoverRaster.h"
 #include "worldmaking/land/Houses.h"
 #include "worldmaking/land/LandUse.h"
@@ -47,13 +47,25 @@ struct WorldSource
     CoverOnEarth coverAt{};                ///< empty: there is no raster of it
 };
 
+/// A step of a build, and the per cent of the time of a build that it takes: measured on a gentle degree tile.
+struct BuildStep
+{
+    const char* name;
+    std::size_t share;
+};
+inline constexpr BuildStep kGround{"elevation", 2}, kMap{"map", 32}, kEarth{"waters and airfields", 1},
+    kStreets{"streets", 2}, kHouses{"houses", 1}, kLand{"land cover", 2}, kTrees{"trees", 8},
+    kEdits{"ground below the roads", 52};
+
 /// Makes the parts of a world one after the other, and writes each as it is
 /// made; world.roam comes last.
 class WorldMaker
 {
 public:
-    WorldMaker(const WorldSource& source, const worldmaking::GroundOnEarth& ground, BuildState state)
-        : _source(source), _ground(ground), _state(std::move(state))
+    /// `progress`: that of the build; it must outlive the maker.
+    WorldMaker(const WorldSource& source, const worldmaking::GroundOnEarth& ground, BuildState state,
+               terminal::Progress& progress)
+        : _source(source), _ground(ground), _state(std::move(state)), _progress(progress)
     {
     }
 
@@ -63,8 +75,7 @@ public:
     Report report;
 
 private:
-    /// Writes a file of the world unless it is made already, and tells how far
-    /// the world is.
+    /// Writes a file of the world unless it is made already.
     template<class Write>
     foundation::Outcome part(const char* name, const Write& write)
     {
@@ -73,7 +84,6 @@ private:
             if (const foundation::Outcome written = write(file(name)); !written) return written;
             if (const auto noted = _state.note(name); !noted) return noted;
         }
-        _progress.advance();
         return foundation::success();
     }
     foundation::Outcome makeEarth();
@@ -93,7 +103,9 @@ private:
     WorldSource _source;
     const worldmaking::GroundOnEarth& _ground;
     BuildState _state;
-    terminal::Progress _progress{"worldtool: files", 0};
+    void begin(const BuildStep& step) { _progress.begin(step.name, step.share); }
+
+    terminal::Progress& _progress;
     worldmaking::GroundOnEarth _shaped;                       ///< with its earthworks
     worldmaking::LandMap _land;                               ///< with its waters cut to their level
     std::vector<osgTerrainROAM::core::Earthwork> _waterWorks; ///< their paths in degrees

@@ -47,13 +47,14 @@ int run(int argc, char** argv)
     check->add_option("WORLD", checked, "the folder of a world, or a .roam file")->required();
     check->add_option("--json", jsonFile, "also write the report to this file");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
-    return terminal::report("worldtool", jsonFile,
-                            [&]
-                            {
-                                worldtool::limitProcessors(request.jobs);
-                                return check->parsed() ? worldtool::check(checked)
-                                                       : worldtool::build(request);
-                            });
+    return terminal::report(
+        "worldtool", jsonFile,
+        [&]
+        {
+            worldtool::limitProcessors(request.jobs);
+            return check->parsed() ? worldtool::check(checked) : worldtool::build(request);
+        },
+        check->parsed() ? terminal::Places() : worldtool::placesOf(request));
 }
 
 } // namespace

@@ -10,7 +10,9 @@
 #include <osgMultiTriangulation/core/input/TinFile.h>
 #include <osgMultiTriangulation/core/surface/DropPoints.h>
 #include <osgMultiTriangulation/core/surface/GridSurface.h>
+#include <osgTerrainROAM/core/heightfield/DemCheck.h>
 
+#include "terminal/Places.h"
 #include "terraintool/mt/BuildProgress.h"
 #include "terraintool/mt/MtRequest.h"
 #include "terraintool/mt/ReadSurface.h"
@@ -93,7 +95,7 @@ void tellRounding(double mostMoved, const PlanFrame& frame)
     if (mostMoved > 1e-3 * frame.stepX) std::cout << "places are rounded by up to " << mostMoved << '\n';
 }
 
-foundation::Outcome checkKinds(const MtBuildRequest& request)
+foundation::Outcome checkInputs(const MtBuildRequest& request)
 {
     const bool areTriangles = isTinFile(request.inputs[0]), arePoints = isPointFile(request.inputs[0]);
     if (areTriangles && request.inputs.size() > 1)
@@ -103,13 +105,14 @@ foundation::Outcome checkKinds(const MtBuildRequest& request)
         if (isPointFile(input) != arePoints || isTinFile(input) != areTriangles)
             return foundation::Error{input.string(), "stands among inputs of another kind",
                                      "give rasters, files of points, or one file of triangles"};
-    return foundation::success();
+    if (!areTriangles && !arePoints) return osgTerrainROAM::core::checkDems(request.inputs, request.import);
+    return terminal::checkPlaces({{}, {}, request.inputs});
 }
 
 foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request)
 {
     if (const auto writable = foundation::checkWritable(request.output); !writable) return writable.error();
-    if (const auto kinds = checkKinds(request); !kinds) return kinds.error();
+    if (const auto sound = checkInputs(request); !sound) return sound.error();
     if (request.memoryMb > 0.0) return buildMtWithin(request);
     const auto surface = readSurface(request);
     if (!surface) return surface.error();

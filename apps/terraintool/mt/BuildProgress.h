@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "terminal/Terminal.h"
+#include "terminal/Progress.h"
 #include "terraintool/mt/MtRequest.h"
 
 namespace terraintool

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include <foundation/WholeFile.h>
+#include <foundation/WritableFolder.h>
 
 #include <osgMultiTriangulation/core/jobs/BuildFolder.h>
 
@@ -30,7 +31,8 @@ foundation::Outcome spoolAndPlan(const MtBuildRequest& request, const std::files
 
 foundation::Outcome planInto(const MtBuildRequest& request, const std::filesystem::path& folder)
 {
-    if (const auto kinds = checkKinds(request); !kinds) return kinds;
+    if (const auto writable = foundation::checkFolderWritable(folder, "plan"); !writable) return writable;
+    if (const auto sound = checkInputs(request); !sound) return sound;
     if (request.memoryMb > 0.0) keepHeapSmall();
     const std::filesystem::path incoming = BuildFolder::incoming(folder);
     const foundation::Outcome outcome = spoolAndPlan(request, folder, incoming);

@@ -82,8 +82,8 @@ foundation::Result<terminal::Report> joinMt(const MtJobRequest& request);
 /// Whether a file has points as text: .csv, .xyz, .txt.
 bool isPointFile(const std::filesystem::path& file);
 
-/// Tells inputs of different kinds, or more than one file of triangles.
-foundation::Outcome checkKinds(const MtBuildRequest& request);
+/// Tells inputs of different kinds, more than one file of triangles, and what is wrong with their heads, before any is read.
+foundation::Outcome checkInputs(const MtBuildRequest& request);
 
 /// Tells by how much places have been moved, where that is more than a thousandth of a step.
 void tellRounding(double mostMoved, const osgMultiTriangulation::core::PlanFrame& frame);
