@@ -7,7 +7,6 @@
 #include <optional>
 
 #include <foundation/Angle.h>
-#include <foundation/WholeFile.h>
 
 #include "DriveWay.h"
 #include "Ride.h"
@@ -20,6 +19,7 @@
 #include "simulation/tour/RideEnvironment.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
+#include "terminal/Places.h"
 
 namespace trainer
 {
@@ -162,10 +162,17 @@ private:
 
 } // namespace
 
+foundation::Outcome checkDrive(const DriveRequest& request)
+{
+    const terminal::Places places{
+        {request.recordInputs, request.play.output.motionFile}, {}, {request.inputs}};
+    if (const auto usable = terminal::checkPlaces(places); !usable) return usable;
+    const auto vehicle = simulation::readRoadVehicle(request.vehicle);
+    return vehicle ? foundation::success() : vehicle.error();
+}
+
 foundation::Outcome drive(const DriveRequest& request)
 {
-    for (const auto& file : {request.recordInputs, request.play.output.motionFile})
-        if (const auto writable = foundation::checkWritable(file); !writable) return writable;
     const std::filesystem::path& world = request.play.terrain.file;
     const auto data = simulation::readRoadVehicle(request.vehicle);
     if (!data) return data.error();

@@ -56,4 +56,13 @@ aircraftOf(const FlyRequest& request, const std::optional<simulation::Geodetic>&
     return aircraft;
 }
 
+foundation::Outcome checkAircraft(const FlyRequest& request)
+{
+    const auto jsbsim = jsbsimOf(request);
+    if (!jsbsim) return jsbsim.error();
+    if (*jsbsim) return foundation::success();
+    const auto aircraft = aircraftOf(request, std::nullopt);
+    return aircraft ? foundation::success() : aircraft.error();
+}
+
 } // namespace trainer

@@ -16,4 +16,7 @@ namespace trainer
 foundation::Result<std::unique_ptr<simulation::DynamicVehicle>>
 aircraftOf(const FlyRequest& request, const std::optional<simulation::Geodetic>& origin);
 
+/// Tells what is wrong with it without beginning JSBSim. Errors: as aircraftOf().
+foundation::Outcome checkAircraft(const FlyRequest& request);
+
 } // namespace trainer

@@ -6,16 +6,18 @@
 
 #include <foundation/Angle.h>
 #include <foundation/Units.h>
-#include <foundation/WholeFile.h>
 
 #include "FlatScene.h"
+#include "FlightAircraft.h"
 #include "FlightMaker.h"
 #include "Ride.h"
 #include "SceneGround.h"
 #include "SceneStrip.h"
 #include "SceneTerrain.h"
 #include "simulation/control/VehicleMotion.h"
+#include "simulation/control/flight/FlightOrders.h"
 #include "simulation/vehicle/jsbsim/JsbsimVehicle.h"
+#include "terminal/Places.h"
 
 namespace trainer
 {
@@ -54,11 +56,20 @@ glm::dvec2 FlyRequest::windMps() const
     return -foundation::kMpsPerKnot * wind[1] * glm::dvec2(std::sin(from), std::cos(from));
 }
 
+foundation::Outcome checkFlight(const FlyRequest& request)
+{
+    const terminal::Places places{
+        {request.recordInputs, request.play.output.motionFile}, {}, {request.inputs}};
+    if (const auto usable = terminal::checkPlaces(places); !usable) return usable;
+    if (!request.orders.empty())
+        if (const auto orders = simulation::parseFlightOrders(request.orders, "--orders"); !orders)
+            return orders.error();
+    return checkAircraft(request);
+}
+
 foundation::Outcome fly(const FlyRequest& asked)
 {
     FlyRequest request = asked;
-    for (const auto& file : {request.recordInputs, request.play.output.motionFile})
-        if (const auto writable = foundation::checkWritable(file); !writable) return writable;
     auto terrain = openWorld(request);
     if (!terrain) return terrain.error();
     std::shared_ptr<const simulation::Ground> ground = std::make_shared<simulation::LevelGround>();

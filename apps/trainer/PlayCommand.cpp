@@ -5,6 +5,7 @@
 
 #include <foundation/WholeFile.h>
 
+#include "PlayPlaces.h"
 #include "PlaySession.h"
 #include "ScenarioProblems.h"
 #include "ScenarioStage.h"
@@ -21,21 +22,6 @@ namespace trainer
 
 namespace
 {
-
-/// Checks before the work begins that all results can be written.
-foundation::Outcome checkResultPlaces(const PlayRequest& request)
-{
-    std::vector<std::filesystem::path> files{request.output.statsFile, request.output.reportFile,
-                                             request.sound.file, request.output.partsFile};
-    std::error_code ignored;
-    if (!request.output.captureFolder.empty() &&
-        std::filesystem::is_directory(request.output.captureFolder, ignored))
-        files.push_back(request.output.captureFolder /
-                        "frame_00000.png"); // a folder that is not there is made
-    for (const auto& file : files)
-        if (const auto writable = foundation::checkWritable(file); !writable) return writable;
-    return foundation::success();
-}
 
 foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std::filesystem::path& file)
 {
@@ -118,7 +104,7 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
 
 foundation::Outcome play(const PlayRequest& request)
 {
-    if (const auto writable = checkResultPlaces(request); !writable) return writable;
+    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
     auto parsed =
         simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
     if (!parsed) return parsed.error();
@@ -132,14 +118,12 @@ foundation::Outcome play(const PlayRequest& request)
 
 foundation::Outcome playScene(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
 {
-    if (const auto writable = checkResultPlaces(request); !writable) return writable;
+    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
     return playOver(std::move(terrain), std::move(scenario), request);
 }
 
 foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)
 {
-    if (const auto writable = checkResultPlaces(request); !writable) return writable;
-    if (const auto writable = foundation::checkWritable(saveFile); !writable) return writable;
     auto terrain = openElevation(request.terrain.file, request.terrain);
     if (!terrain) return terrain.error();
     const auto laid = layTourFor(*terrain, request, durationS);

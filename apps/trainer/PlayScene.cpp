@@ -10,6 +10,7 @@
 #include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
 #include "simulation/road/ScenarioRoads.h"
+#include "terminal/Progress.h"
 #include "view/WatchedEntity.h"
 
 namespace trainer
@@ -120,6 +121,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     if (scenario.entities.empty())
         return foundation::Error{request.scenario.string(), "no ScenarioObject in Entities",
                                  "add the one whose eye shall look"};
+    const terminal::Progress progress("trainer: makes the scene", 0);
     const auto watched = watchedEntity(scenario, request.frames.eyeEntity);
     if (!watched) return watched.error();
     if (terrain.terrain)

@@ -127,6 +127,12 @@ ObjectFigures SceneScenery::figures(unsigned int frameNumber) const
     return figures;
 }
 
+foundation::Outcome checkScenery(const SceneryRequest& request)
+{
+    const auto description = descriptionOf(request);
+    return description ? foundation::success() : description.error();
+}
+
 foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest& request, double playS,
                                                             const simulation::Scenario& scenario,
                                                             const simulation::PlayerOptions& options,

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 
+#include <foundation/ReadableFile.h>
+
 #include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
+#include <osgTerrainROAM/core/heightfield/DemCheck.h>
 
 #include <osgMultiTriangulation/OpenMultiTriangulation>
 
@@ -17,6 +20,7 @@
 #include "SceneRoads.h"
 #include "SceneStructures.h"
 #include "ground/TileGround.h"
+#include "terminal/Progress.h"
 
 namespace trainer
 {
@@ -88,9 +92,24 @@ SceneTerrain moved(SceneTerrain scene, const glm::dvec2& corner)
     return scene;
 }
 
+foundation::Outcome checkElevation(const std::filesystem::path& file, const TerrainRequest& request)
+{
+    const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
+    if (suffix == "xodr" || suffix == "mt") return foundation::checkReadable(file);
+    const auto description = osgTerrainROAM::core::describeTerrain(file, request.import);
+    if (!description) return description.error();
+    return osgTerrainROAM::core::checkDems(description->dems, description->import);
+}
+
+foundation::Outcome checkScene(const std::filesystem::path& file, const TerrainRequest& request)
+{
+    return isTerrainFile(file) ? checkElevation(file, request) : foundation::success();
+}
+
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
                                                const TerrainRequest& request)
 {
+    const terminal::Progress progress("trainer: opens " + file.string(), 0);
     if (osgDB::getLowerCaseFileExtension(file.string()) == "xodr") return openNetwork(file, request);
     if (osgDB::getLowerCaseFileExtension(file.string()) == "mt") return openTriangulation(file);
     auto description = osgTerrainROAM::core::describeTerrain(file, request.import);

@@ -31,6 +31,7 @@ foundation::Outcome driveOne(const DriveLine& line)
     DriveRequest request = line.drive;
     request.play = line.play.request;
     if (const auto complete = line.ride.complete(request); !complete) return complete;
+    if (const auto sound = checkDrive(request); !sound) return sound;
     if (request.play.terrain.file.empty())
     {
         const auto world = defaultWorld();

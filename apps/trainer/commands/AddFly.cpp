@@ -37,6 +37,7 @@ foundation::Outcome flyOne(const FlyLine& line)
                                      "write X,Y,COURSE,LENGTH"};
         request.play.terrain.strip = StripRequest{{strip[0], strip[1]}, strip[2], strip[3], 30.0};
     }
+    if (const auto sound = checkFlight(request); !sound) return sound;
     if (request.play.terrain.file.empty() && strip.empty() && !line.leavesWorldOut)
     {
         const auto world = defaultWorld();

@@ -2,9 +2,12 @@
 #include <iostream>
 #include <memory>
 
+#include <foundation/WholeFile.h>
+
 #include <osgTerrainROAM/core/method/Method.h>
 
 #include "PlayCommand.h"
+#include "SceneTerrain.h"
 #include "WorldFiles.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
@@ -38,7 +41,9 @@ bool takesWorld(const PlayRequest& request)
 /// Where files say what stands on the elevation, no world is made up over it.
 foundation::Outcome tourOne(const TourLine& line)
 {
+    if (const auto writable = foundation::checkWritable(line.saveFile); !writable) return writable;
     PlayRequest request = line.play.request;
+    if (const auto sound = checkElevation(request.terrain.file, request.terrain); !sound) return sound;
     if (!line.world.isLeftOut && request.scenery.isEmpty() && takesWorld(request))
         if (const auto world = worldOver(request.terrain.file, line.world.folder))
             request.terrain.file = *world;

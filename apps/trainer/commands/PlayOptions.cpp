@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "PlayPlaces.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 
@@ -268,7 +269,8 @@ std::function<int()> PlayOptions::running(std::function<foundation::Outcome()> w
     {
         if (const auto sound = complete(); !sound)
             return terminal::fail("trainer", sound.error()), int{terminal::kWrongUse};
-        return exitCodeOf(work());
+        const auto usable = checkBeforePlay(request);
+        return exitCodeOf(usable ? work() : usable);
     };
 }
 

@@ -28,7 +28,7 @@ public:
     /// Errors: --size that is no size, --eye-at without --eye free, an eye too high, an unknown --backend or --patch-exponent.
     foundation::Outcome complete();
 
-    /// Returns what runs the command: complete(), then `work`.
+    /// Returns what runs the command: complete(), checkBeforePlay(), then `work`.
     std::function<int()> running(std::function<foundation::Outcome()> work);
 
     PlayRequest request;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "PlayPlaces.h"
+
+#include "SceneScenery.h"
+#include "SceneTerrain.h"
+#include "input/DeviceFile.h"
+#include "input/KeyScript.h"
+#include "view/ViewFile.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+foundation::Outcome checkSmallFiles(const PlayRequest& request)
+{
+    if (const auto& view = request.frames.viewFile; !view.empty())
+        if (const auto read = readView(view); !read) return read.error();
+    if (const auto& keys = request.window.keysFile; !keys.empty())
+        if (const auto read = readKeyScript(keys); !read) return read.error();
+    if (const auto& devices = request.window.devicesFile; !devices.empty())
+        if (const auto read = readDevices(devices); !read) return read.error();
+    return checkScenery(request.scenery);
+}
+
+} // namespace
+
+terminal::Places placesOf(const PlayRequest& request)
+{
+    const OutputRequest& output = request.output;
+    terminal::Places places;
+    places.written = {output.statsFile, output.reportFile, request.sound.file, output.partsFile,
+                      output.motionFile};
+    places.folders = {{output.captureFolder, "frame_00000.png"}};
+    return places;
+}
+
+foundation::Outcome checkBeforePlay(const PlayRequest& request)
+{
+    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
+    if (const auto sound = checkSmallFiles(request); !sound) return sound;
+    return request.terrain.file.empty() ? foundation::success()
+                                        : checkScene(request.terrain.file, request.terrain);
+}
+
+} // namespace trainer

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <foundation/Result.h>
+
+#include "PlayRequest.h"
+#include "terminal/Places.h"
+
+namespace trainer
+{
+
+/// What a play writes.
+terminal::Places placesOf(const PlayRequest& request);
+
+/// Tells before any work what is wrong with what a command line names: results that cannot be written, small files with faults, large ones
+/// whose heads are wrong. Errors: those of checkPlaces(), readView(), readKeyScript(), readDevices(), checkScenery() and checkScene().
+foundation::Outcome checkBeforePlay(const PlayRequest& request);
+
+} // namespace trainer
