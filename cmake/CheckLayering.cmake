@@ -62,6 +62,7 @@ layer(shader-tests   "^tests/osg/shaders/" ${libraries} bench test-support rende
 layer(osg-tests      "^tests/osg/"         ${libraries} terminal trainer tools test-support render-support core-tests)
 layer(render-tests   "^tests/render/"      ${libraries} terminal trainer test-support render-support core-tests osg-tests)
 layer(build-support  "^cmake/")
+layer(tree-tests     "^tests/tree/"       foundation)
 layer(program-tests  "^tests/(programs|mutants)/" graphics ${cores} offscreen terminal tools test-support render-support core-tests)
 
 set(graphics_includes "^(osg|osg[A-Z][A-Za-z]*|OpenThreads|GL|GLES[0-9]*|EGL|KHR|X11)/")
