@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# Shell functions that ./demo and ./check share: timed stages, and the build of a preset. To be sourced.
+# Shell functions that ./demo and ./check share: timed stages and their table, and the build of a preset. To be sourced.
 
 jobs=$(nproc)
 [ "$jobs" -ge 2 ] || jobs=2
+
+stages=()
 
 # stage NAME COMMAND…: runs the command, says what it does and how long it took; a failure ends the script.
 stage()
@@ -22,6 +24,13 @@ stage()
         exit "$status"
     fi
     printf '== %s: %s s\n' "$name" "$seconds"
+    stages+=("$seconds $name")
+}
+
+# stageTable: the seconds of all stages, one a line, and their sum.
+stageTable()
+{
+    printf '%s\n' "${stages[@]}" | awk '{ all += $1; seconds = $1; $1 = ""; printf "%9.1f s %s\n", seconds, $0 } END { printf "%9.1f s  in all\n", all }'
 }
 
 # quietly LOG COMMAND…: the command's output goes to the log, and to the terminal only when it fails.
