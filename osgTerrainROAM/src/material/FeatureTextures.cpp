@@ -105,8 +105,9 @@ private:
                      {std::pair{4, cover.river}, {5, cover.asphalt}, {6, cover.gravel}, {7, cover.runway}})
                     sums[c] += value;
             }
-        for (int c = 0; c < 8; ++c)
-            (c < 4 ? crops : beds)->data(x, y)[c & 3] =
+        const std::size_t texel = 4 * (static_cast<std::size_t>(y) * crops->s() + x);
+        for (std::size_t c = 0; c < 8; ++c)
+            (c < 4 ? crops : beds)->data()[texel + (c & 3)] =
                 static_cast<unsigned char>(std::lround(255.0f * std::min(sums[c] / (parts * parts), 1.0f)));
     }
 };

@@ -24,12 +24,11 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Rasterises the triangles of the bintree over the samples.
-class TriangleErrors
+/// The positions of the samples, each computed once: triangles and diamonds ask for each some ten times.
+class SamplePositions
 {
 public:
-    TriangleErrors(const SampleRaster& tile, std::vector<float>& errors)
-        : _tile(tile), _side(tile.side()), _columns(tile.dataColumns()), _errors(errors)
+    explicit SamplePositions(const SampleRaster& tile) : _tile(tile), _columns(tile.dataColumns())
     {
         const SampleMask& mask = tile.tile().samples().mask();
         _positions.resize(static_cast<std::size_t>(_columns) * tile.dataRows());
@@ -37,6 +36,37 @@ public:
             for (int column = 0; column < _columns; ++column)
                 _positions[static_cast<std::size_t>(row) * _columns + column] =
                     mask.holds(column, row) ? tile.position(column, row) : kNoSample;
+    }
+
+    /// The first column's position in a row of the data, and behind it the others'; kNoSample where there is none.
+    const glm::dvec3* row(int row) const { return &_positions[static_cast<std::size_t>(row) * _columns]; }
+
+    /// The position of any point of the padded raster.
+    glm::dvec3 at(GridPoint p) const
+    {
+        if (p.column < _columns && p.row < _tile.dataRows())
+            if (const glm::dvec3& known = row(p.row)[p.column]; !std::isnan(known.x)) [[likely]]
+                return known;
+        return _tile.position(p.column, p.row);
+    }
+
+private:
+    SampleRaster _tile;
+    int _columns;
+    std::vector<glm::dvec3> _positions;
+};
+
+/// Rasterises the triangles of the bintree over the samples.
+class TriangleErrors
+{
+public:
+    TriangleErrors(const SampleRaster& tile, const SamplePositions& positions, std::vector<float>& errors)
+        : _tile(tile),
+          _side(tile.side()),
+          _columns(tile.dataColumns()),
+          _positions(positions),
+          _errors(errors)
+    {
     }
 
     /// Errors of the triangle (apex, left, right) and everything below it, depth first: the samples of the small
@@ -77,9 +107,8 @@ private:
 
     double largestSquaredError(const GridTriangle& t) const
     {
-        const auto position = [this](GridPoint p) { return _tile.position(p.column, p.row); };
-        const glm::dvec3 origin = position(t.apex), du = position(t.left) - origin,
-                         dw = position(t.right) - origin;
+        const glm::dvec3 origin = _positions.at(t.apex), du = _positions.at(t.left) - origin,
+                         dw = _positions.at(t.right) - origin;
         const auto east = t.perColumn(), north = t.perRow();
         const glm::dvec3 perColumn = du * east.u + dw * east.w, perRow = du * north.u + dw * north.w;
         double largest = 0.0;
@@ -87,9 +116,8 @@ private:
                      [&](int row, int west, int eastmost)
                      {
                          const glm::dvec3 start = origin + perRow * static_cast<double>(row - t.apex.row);
-                         const glm::dvec3* samples = &_positions[static_cast<std::size_t>(row) * _columns];
-                         largest = largestSquared(largest, samples + west, eastmost - west + 1, start,
-                                                  perColumn, west - t.apex.column);
+                         largest = largestSquared(largest, _positions.row(row) + west, eastmost - west + 1,
+                                                  start, perColumn, west - t.apex.column);
                      });
         return largest;
     }
@@ -97,7 +125,7 @@ private:
     SampleRaster _tile;
     const int _side;
     const int _columns;
-    std::vector<glm::dvec3> _positions;
+    const SamplePositions& _positions;
     std::vector<float>& _errors;
 };
 
@@ -119,8 +147,9 @@ ErrorTree::ErrorTree(const PlacedTile& placed)
     const SampleRaster tile(placed);
     _errorsM.assign(static_cast<std::size_t>(tile.side()) * tile.side(), 0.0f);
     _radiiM.assign(_errorsM.size(), 0.0f);
+    const SamplePositions positions(tile);
     {
-        TriangleErrors triangles(tile, _errorsM);
+        TriangleErrors triangles(tile, positions, _errorsM);
         const auto roots = rootTriangles(tile.side());
         foundation::Threads other;
         other.run([&] { triangles.measure(roots[0], 0); });
@@ -131,15 +160,14 @@ ErrorTree::ErrorTree(const PlacedTile& placed)
                            [&](GridPoint v, const GridPoint* children, int count)
                            {
                                const std::size_t index = indexOf(tile, v);
-                               const glm::dvec3 centre = centreOf(tile, v);
-                               double radius = glm::distance(centre, tile.position(v.column, v.row));
+                               const glm::dvec3 place = positions.at(v), centre = glm::vec3(place);
+                               double radius = glm::distance(centre, place);
                                for (int i = 0; i < count; ++i)
                                {
                                    const std::size_t child = indexOf(tile, children[i]);
                                    _errorsM[index] = std::max(_errorsM[index], _errorsM[child]);
-                                   radius =
-                                       std::max(radius, glm::distance(centre, centreOf(tile, children[i])) +
-                                                            _radiiM[child]);
+                                   const glm::dvec3 below = glm::vec3(positions.at(children[i]));
+                                   radius = std::max(radius, glm::distance(centre, below) + _radiiM[child]);
                                }
                                _radiiM[index] = tile.table().roundedUpRadius(radius * kRadiusSlack);
                            });

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cassert>
 #include <limits>
+#include <vector>
 
 #include <osgTerrainROAM/core/heightfield/SampleRaster.h>
 #include <osgTerrainROAM/core/roam/RegionBounds.h>
@@ -18,26 +19,24 @@ template<class Sphere>
 Sphere fitted(const SampleRaster& tile, const GridTriangle& triangle)
 {
     glm::dvec3 lowest(std::numeric_limits<double>::max()), highest(std::numeric_limits<double>::lowest());
-    const auto forEachSample = [&](auto visit)
-    {
-        triangle.forEachRow(tile.side(), tile.side(),
-                            [&](int row, int west, int east)
-                            {
-                                for (int column = west; column <= east; ++column)
-                                    visit(tile.heightM(column, row), tile.position(column, row));
-                            });
-    };
     Sphere sphere{glm::dvec3(0.0), 0.0, std::numeric_limits<double>::lowest()};
-    forEachSample(
-        [&](double heightM, const glm::dvec3& position)
-        {
-            lowest = glm::min(lowest, position);
-            highest = glm::max(highest, position);
-            sphere.highestM = std::max(sphere.highestM, heightM);
-        });
+    std::vector<glm::dvec3> positions;
+    triangle.forEachRow(tile.side(), tile.side(),
+                        [&](int row, int west, int east)
+                        {
+                            for (int column = west; column <= east; ++column)
+                            {
+                                const glm::dvec3& position =
+                                    positions.emplace_back(tile.position(column, row));
+                                lowest = glm::min(lowest, position);
+                                highest = glm::max(highest, position);
+                                sphere.highestM =
+                                    std::max<double>(sphere.highestM, tile.heightM(column, row));
+                            }
+                        });
     sphere.centre = (lowest + highest) * 0.5;
-    forEachSample([&](double, const glm::dvec3& position)
-                  { sphere.radiusM = std::max(sphere.radiusM, glm::distance(sphere.centre, position)); });
+    for (const glm::dvec3& position : positions)
+        sphere.radiusM = std::max(sphere.radiusM, glm::distance(sphere.centre, position));
     return sphere;
 }
 
