@@ -50,6 +50,7 @@ function(plantTree)
             "tests/osg/terrain/TerrainTest.cpp|osgTerrainROAM/Terrain"
             "tests/osg/shaders/LookTest.cpp|bench/frames/Look.h"
             "tests/render/terrain/GoldenTest.cpp|osgOffscreen/Capture"
+            "tests/tree/weights/Weights.h|foundation/Result.h"
             "tests/programs/PlayTest.cpp|foundation/Result.h")
         string(REPLACE "|" ";" entry "${entry}")
         list(GET entry 0 file)
