@@ -23,7 +23,7 @@ using namespace osgTerrainROAM::core;
 using testsupport::leafSet;
 using testsupport::Random;
 
-std::shared_ptr<const RoamTile> tileOf(bool curved)
+std::shared_ptr<const RoamTile> tileOfPatches(bool curved)
 {
     HeightField field = testsupport::hills(100, 129); // padded: patches reach beyond the data
     return std::make_shared<const RoamTile>(curved ? PlacedTile(testsupport::onTheEarth(std::move(field)))
@@ -39,13 +39,13 @@ viewlod::ViewState viewOfPatches(const PlacedTile& tile, Random& random)
                                             glm::perspective(1.0, 1.25, 1.0, 1e5), 1280, 1024);
 }
 
-using Setting = std::tuple<int, bool>;
+using PatchSetting = std::tuple<int, bool>;
 
-class Patches : public testing::TestWithParam<Setting>
+class Patches : public testing::TestWithParam<PatchSetting>
 {
 protected:
     const int _exponent = std::get<0>(GetParam());
-    const std::shared_ptr<const RoamTile> _tile = tileOf(std::get<1>(GetParam()));
+    const std::shared_ptr<const RoamTile> _tile = tileOfPatches(std::get<1>(GetParam()));
     const SplitBounds _bounds{_tile, _exponent};
     Random _random{static_cast<std::uint64_t>(31 + _exponent)};
 };
@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(Tiles, Patches,
 
 TEST(SplitBounds, WithoutPatchesAreTheTiles)
 {
-    const auto tile = tileOf(false);
+    const auto tile = tileOfPatches(false);
     const SplitBounds bounds(tile);
     EXPECT_EQ(bounds.memoryBytes(), 0u);
     EXPECT_EQ(bounds.levels(), tile->tile.grid().levels());
@@ -221,7 +221,7 @@ TEST(SplitBounds, WithoutPatchesAreTheTiles)
 // Patches of 2^k triangles with an odd k divide legs and bases differently: two leaves side by side would not meet.
 TEST(SplitBounds, TakeEvenExponentsThatTheTileHasLevelsFor)
 {
-    const auto tile = tileOf(false);
+    const auto tile = tileOfPatches(false);
     EXPECT_EQ(SplitBounds(tile, 3).patchExponent(), 2);
     EXPECT_EQ(SplitBounds(tile, -2).patchExponent(), 0);
     EXPECT_EQ(SplitBounds(tile, 99).patchExponent(), SplitBounds::kMostExponent);
@@ -232,7 +232,7 @@ TEST(SplitBounds, TakeEvenExponentsThatTheTileHasLevelsFor)
 /// The mutation for MeetAndKeepTheTolerance: bounds that forget the patches' errors, and leaves that leave one out.
 TEST(SplitBounds, WrongErrorsAndLostPatchesAreNoticed)
 {
-    const auto tile = tileOf(false);
+    const auto tile = tileOfPatches(false);
     Random random(3);
     const viewlod::ViewState view = viewOfPatches(tile->tile, random);
     RoamMesh mesh(SplitBounds(tile, 4));

@@ -16,23 +16,23 @@ using handcull::cameraAt;
 using handcull::cull;
 using osgTerrainROAM::RoamDrawable;
 
-osg::ref_ptr<RoamDrawable> drawableOf()
+osg::ref_ptr<RoamDrawable> drawableOfGroups()
 {
     return new RoamDrawable(testsupport::planarTile(testsupport::hills(129, 129)));
 }
 
-const osg::Vec3d kEye(1900, 300, 900);
+const osg::Vec3d kGroupEye(1900, 300, 900);
 const osg::Vec3d kOtherEye(1900, 3300, 1200);
-const osg::Vec3d kNorth(1900, 4000, 500);
+const osg::Vec3d kGroupNorth(1900, 4000, 500);
 const osg::Vec3d kWest(-4000, 300, 500);
 
 } // namespace
 
 TEST(ViewGroups, CamerasWithOneEyeShareAMesh)
 {
-    const auto drawable = drawableOf();
-    const auto left = cameraAt(kEye, kNorth);
-    const auto right = cameraAt(kEye, kWest);
+    const auto drawable = drawableOfGroups();
+    const auto left = cameraAt(kGroupEye, kGroupNorth);
+    const auto right = cameraAt(kGroupEye, kWest);
     for (unsigned int frame = 1; frame < 4; ++frame)
     {
         cull(*drawable, *left, frame);
@@ -47,10 +47,11 @@ TEST(ViewGroups, EyesThatOnlyRoundingPartsShareAMeshAndTheEyesOfAHeadDoNot)
 {
     for (const double apartM : {5e-5, 0.063})
     {
-        const auto drawable = drawableOf();
+        const auto drawable = drawableOfGroups();
         const osg::Vec3d away(apartM, 0, 0);
-        cull(*drawable, *cameraAt(kEye, kNorth), 1);
-        const auto left = cameraAt(kEye, kNorth), right = cameraAt(kEye + away, kNorth + away);
+        cull(*drawable, *cameraAt(kGroupEye, kGroupNorth), 1);
+        const auto left = cameraAt(kGroupEye, kGroupNorth),
+                   right = cameraAt(kGroupEye + away, kGroupNorth + away);
         cull(*drawable, *left, 2);
         cull(*drawable, *right, 2);
         EXPECT_EQ(drawable->statistics().size(), apartM < 1e-4 ? 1u : 2u) << apartM;
@@ -59,9 +60,9 @@ TEST(ViewGroups, EyesThatOnlyRoundingPartsShareAMeshAndTheEyesOfAHeadDoNot)
 
 TEST(ViewGroups, IndependentEyesHaveMeshesOfTheirOwn)
 {
-    const auto drawable = drawableOf();
-    const auto one = cameraAt(kEye, kNorth);
-    const auto other = cameraAt(kOtherEye, kNorth);
+    const auto drawable = drawableOfGroups();
+    const auto one = cameraAt(kGroupEye, kGroupNorth);
+    const auto other = cameraAt(kOtherEye, kGroupNorth);
     cull(*drawable, *one, 1);
     cull(*drawable, *other, 1);
     EXPECT_EQ(drawable->statistics().size(), 2u);
@@ -69,9 +70,9 @@ TEST(ViewGroups, IndependentEyesHaveMeshesOfTheirOwn)
 
 TEST(ViewGroups, TheStrictestCameraOfAGroupDecides)
 {
-    const auto drawable = drawableOf();
-    const auto wide = cameraAt(kEye, kNorth);
-    const auto narrow = cameraAt(kEye, kNorth);
+    const auto drawable = drawableOfGroups();
+    const auto wide = cameraAt(kGroupEye, kGroupNorth);
+    const auto narrow = cameraAt(kGroupEye, kGroupNorth);
     narrow->setProjectionMatrixAsPerspective(6.0, 800.0 / 600.0, 1.0, 1.0e6);
     cull(*drawable, *narrow, 1);
     const std::uint32_t strict = drawable->statistics().front().refine.triangles;
@@ -87,13 +88,13 @@ TEST(ViewGroups, TheStrictestCameraOfAGroupDecides)
 
 TEST(ViewGroups, ACameraThatMovesAwayLeavesItsGroup)
 {
-    const auto drawable = drawableOf();
-    const auto stays = cameraAt(kEye, kNorth);
-    const auto goes = cameraAt(kEye, kWest);
+    const auto drawable = drawableOfGroups();
+    const auto stays = cameraAt(kGroupEye, kGroupNorth);
+    const auto goes = cameraAt(kGroupEye, kWest);
     cull(*drawable, *stays, 1);
     cull(*drawable, *goes, 1);
     ASSERT_EQ(drawable->statistics().size(), 1u);
-    goes->setViewMatrixAsLookAt(kOtherEye, kNorth, osg::Vec3d(0, 0, 1));
+    goes->setViewMatrixAsLookAt(kOtherEye, kGroupNorth, osg::Vec3d(0, 0, 1));
     cull(*drawable, *stays, 2);
     cull(*drawable, *goes, 2);
     const auto statistics = drawable->statistics();
@@ -104,13 +105,13 @@ TEST(ViewGroups, ACameraThatMovesAwayLeavesItsGroup)
 
 TEST(ViewGroups, AGroupThatMovesTogetherStaysTogether)
 {
-    const auto drawable = drawableOf();
-    const auto left = cameraAt(kEye, kNorth);
-    const auto right = cameraAt(kEye, kWest);
+    const auto drawable = drawableOfGroups();
+    const auto left = cameraAt(kGroupEye, kGroupNorth);
+    const auto right = cameraAt(kGroupEye, kWest);
     for (unsigned int frame = 1; frame < 5; ++frame)
     {
-        const osg::Vec3d eye = kEye + osg::Vec3d(0, 40.0 * frame, 0);
-        left->setViewMatrixAsLookAt(eye, kNorth, osg::Vec3d(0, 0, 1));
+        const osg::Vec3d eye = kGroupEye + osg::Vec3d(0, 40.0 * frame, 0);
+        left->setViewMatrixAsLookAt(eye, kGroupNorth, osg::Vec3d(0, 0, 1));
         right->setViewMatrixAsLookAt(eye, kWest, osg::Vec3d(0, 0, 1));
         cull(*drawable, *left, frame);
         cull(*drawable, *right, frame);
@@ -120,9 +121,9 @@ TEST(ViewGroups, AGroupThatMovesTogetherStaysTogether)
 
 TEST(ViewGroups, StateOfAnUnusedCameraIsDropped)
 {
-    const auto drawable = drawableOf();
-    const auto stays = cameraAt(kEye, kNorth);
-    const auto idle = cameraAt(kOtherEye, kNorth);
+    const auto drawable = drawableOfGroups();
+    const auto stays = cameraAt(kGroupEye, kGroupNorth);
+    const auto idle = cameraAt(kOtherEye, kGroupNorth);
     cull(*drawable, *stays, 1);
     cull(*drawable, *idle, 1);
     const unsigned int kept = osgTraversal::kUnusedFrames;
@@ -134,9 +135,9 @@ TEST(ViewGroups, StateOfAnUnusedCameraIsDropped)
 
 TEST(ViewGroups, StateOfADeletedCameraIsDropped)
 {
-    const auto drawable = drawableOf();
-    const auto stays = cameraAt(kEye, kNorth);
-    auto gone = cameraAt(kOtherEye, kNorth);
+    const auto drawable = drawableOfGroups();
+    const auto stays = cameraAt(kGroupEye, kGroupNorth);
+    auto gone = cameraAt(kOtherEye, kGroupNorth);
     cull(*drawable, *gone, 1);
     gone = nullptr;
     cull(*drawable, *stays, 2);
@@ -145,8 +146,8 @@ TEST(ViewGroups, StateOfADeletedCameraIsDropped)
 
 TEST(ViewGroups, AShadowCameraUsesItsMainViewsMesh)
 {
-    const auto drawable = drawableOf();
-    const auto main = cameraAt(kEye, kNorth);
+    const auto drawable = drawableOfGroups();
+    const auto main = cameraAt(kGroupEye, kGroupNorth);
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     const osg::ref_ptr<osg::Camera> shadow = new osg::Camera;
     shadow->setReferenceFrame(osg::Transform::ABSOLUTE_RF_INHERIT_VIEWPOINT);
@@ -171,17 +172,17 @@ TEST(ViewGroups, AShadowCameraUsesItsMainViewsMesh)
 
 TEST(ViewGroups, TheMeshOfAnEyeDoesNotDependOnThePathThere)
 {
-    const auto travelled = drawableOf();
-    const auto fresh = drawableOf();
-    const auto camera = cameraAt(kEye, kNorth);
+    const auto travelled = drawableOfGroups();
+    const auto fresh = drawableOfGroups();
+    const auto camera = cameraAt(kGroupEye, kGroupNorth);
     testsupport::Random random(3);
     for (unsigned int frame = 1; frame < 60; ++frame)
     {
         const osg::Vec3d eye(random.unit() * 3800, random.unit() * 3800, 700 + random.unit() * 900);
-        camera->setViewMatrixAsLookAt(eye, kNorth, osg::Vec3d(0, 0, 1));
+        camera->setViewMatrixAsLookAt(eye, kGroupNorth, osg::Vec3d(0, 0, 1));
         cull(*travelled, *camera, frame);
     }
-    camera->setViewMatrixAsLookAt(kEye, kNorth, osg::Vec3d(0, 0, 1));
+    camera->setViewMatrixAsLookAt(kGroupEye, kGroupNorth, osg::Vec3d(0, 0, 1));
     const auto after = cull(*travelled, *camera, 60);
     const auto direct = cull(*fresh, *camera, 60);
     EXPECT_EQ(after.triangles(), direct.triangles());
@@ -190,15 +191,15 @@ TEST(ViewGroups, TheMeshOfAnEyeDoesNotDependOnThePathThere)
 
 TEST(ViewGroups, ManyThreadsMayCullAndReadAtOnce)
 {
-    const auto drawable = drawableOf();
+    const auto drawable = drawableOfGroups();
     drawable->getBound();
     const auto work = [&](unsigned int which)
     {
-        const auto camera = cameraAt(which % 2 ? kEye : kOtherEye, kNorth);
+        const auto camera = cameraAt(which % 2 ? kGroupEye : kOtherEye, kGroupNorth);
         for (unsigned int frame = 1; frame < 30; ++frame)
         {
-            const osg::Vec3d eye = (which % 2 ? kEye : kOtherEye) + osg::Vec3d(0, 10.0 * frame, 0);
-            camera->setViewMatrixAsLookAt(eye, kNorth, osg::Vec3d(0, 0, 1));
+            const osg::Vec3d eye = (which % 2 ? kGroupEye : kOtherEye) + osg::Vec3d(0, 10.0 * frame, 0);
+            camera->setViewMatrixAsLookAt(eye, kGroupNorth, osg::Vec3d(0, 0, 1));
             EXPECT_GT(cull(*drawable, *camera, frame).triangles(), 0u);
             EXPECT_GE(drawable->statistics().size(), 1u);
         }
