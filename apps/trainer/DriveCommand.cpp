@@ -9,6 +9,7 @@
 #include <foundation/Angle.h>
 
 #include "DriveWay.h"
+#include "PlayPlaces.h"
 #include "Ride.h"
 #include "SceneTerrain.h"
 #include "simulation/control/HandOver.h"
@@ -19,7 +20,6 @@
 #include "simulation/tour/RideEnvironment.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
-#include "terminal/Places.h"
 
 namespace trainer
 {
@@ -164,9 +164,7 @@ private:
 
 foundation::Outcome checkDrive(const DriveRequest& request)
 {
-    const terminal::Places places{
-        {request.recordInputs, request.play.output.motionFile}, {}, {request.inputs}};
-    if (const auto usable = terminal::checkPlaces(places); !usable) return usable;
+    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
     const auto vehicle = simulation::readRoadVehicle(request.vehicle);
     return vehicle ? foundation::success() : vehicle.error();
 }

@@ -10,6 +10,7 @@
 #include "FlatScene.h"
 #include "FlightAircraft.h"
 #include "FlightMaker.h"
+#include "PlayPlaces.h"
 #include "Ride.h"
 #include "SceneGround.h"
 #include "SceneStrip.h"
@@ -17,7 +18,6 @@
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/flight/FlightOrders.h"
 #include "simulation/vehicle/jsbsim/JsbsimVehicle.h"
-#include "terminal/Places.h"
 
 namespace trainer
 {
@@ -58,9 +58,7 @@ glm::dvec2 FlyRequest::windMps() const
 
 foundation::Outcome checkFlight(const FlyRequest& request)
 {
-    const terminal::Places places{
-        {request.recordInputs, request.play.output.motionFile}, {}, {request.inputs}};
-    if (const auto usable = terminal::checkPlaces(places); !usable) return usable;
+    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
     if (!request.orders.empty())
         if (const auto orders = simulation::parseFlightOrders(request.orders, "--orders"); !orders)
             return orders.error();

@@ -36,6 +36,11 @@ terminal::Places placesOf(const PlayRequest& request)
     return places;
 }
 
+terminal::Places placesOf(const RideRequest& request)
+{
+    return {{request.recordInputs}, {}, {request.inputs}};
+}
+
 foundation::Outcome checkBeforePlay(const PlayRequest& request)
 {
     if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;

@@ -3,7 +3,7 @@
 
 #include <foundation/Result.h>
 
-#include "PlayRequest.h"
+#include "RideRequest.h"
 #include "terminal/Places.h"
 
 namespace trainer
@@ -11,6 +11,9 @@ namespace trainer
 
 /// What a play writes.
 terminal::Places placesOf(const PlayRequest& request);
+
+/// What a ride reads and writes besides what its play does.
+terminal::Places placesOf(const RideRequest& request);
 
 /// Tells before any work what is wrong with what a command line names: results that cannot be written, small files with faults, large ones
 /// whose heads are wrong. Errors: those of checkPlaces(), readView(), readKeyScript(), readDevices(), checkScenery() and checkScene().
