@@ -51,6 +51,15 @@ Outcome readSamples(const RasterSource& source, GdalSession& gdal, Raster& raste
     return foundation::success();
 }
 
+/// Opens a raster of heights. Errors: those of openSource() and checkShape().
+Result<RasterSource> openHeights(const std::filesystem::path& file, GdalSession& gdal)
+{
+    Result<RasterSource> source = openSource(file, gdal);
+    if (!source) return source;
+    if (const Outcome shape = checkShape(*source); !shape) return shape.error();
+    return source;
+}
+
 Raster sizeOf(const RasterSource& source)
 {
     Raster raster;
@@ -63,9 +72,8 @@ Raster sizeOf(const RasterSource& source)
 
 Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal)
 {
-    const Result<RasterSource> source = openSource(file, gdal);
+    const Result<RasterSource> source = openHeights(file, gdal);
     if (!source) return source.error();
-    if (const Outcome shape = checkShape(*source); !shape) return shape.error();
     Raster raster = sizeOf(*source);
     if (const Outcome samples = readSamples(*source, gdal, raster); !samples) return samples.error();
     if (const Outcome oriented = orientRaster(source->name, source->dataset.get(), raster); !oriented)
@@ -76,9 +84,8 @@ Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal)
 
 Result<Raster> readHead(const std::filesystem::path& file, GdalSession& gdal)
 {
-    const Result<RasterSource> source = openSource(file, gdal);
+    const Result<RasterSource> source = openHeights(file, gdal);
     if (!source) return source.error();
-    if (const Outcome shape = checkShape(*source); !shape) return shape.error();
     Raster raster = sizeOf(*source);
     if (const auto turn = readOrientation(source->name, source->dataset.get(), raster); !turn)
         return turn.error();
