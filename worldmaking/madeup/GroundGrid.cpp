@@ -32,15 +32,18 @@ GroundGrid::GroundGrid(const MapBox& box, double cellM, const HeightMaker& heigh
                               {
                                   const Height height = heights();
                                   const int first = static_cast<int>(strip) * kStripRows;
+                                  std::size_t knownHere = 0, lowHere = 0;
                                   for (int row = first; row < std::min(first + kStripRows, _rows); ++row)
                                       for (int column = 0; column < _columns; ++column)
                                       {
                                           const auto heightM = height(placeOf(column, row));
                                           if (!heightM) continue;
                                           _heights[index(column, row)] = static_cast<float>(*heightM);
-                                          ++known;
-                                          low += *heightM <= 0.0 ? 1 : 0;
+                                          ++knownHere;
+                                          lowHere += *heightM <= 0.0 ? 1 : 0;
                                       }
+                                  known += knownHere;
+                                  low += lowHere;
                               });
     _hasSea = static_cast<double>(low) > kSeaShare * static_cast<double>(known);
 }
