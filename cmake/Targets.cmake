@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # One way to declare each kind of target, so that include paths, warnings and names cannot drift apart.
 
-# What holds for every target of the tree: warnings, and the same rounding everywhere (a fused multiply-add would make
-# pictures and meshes depend on the CPU).
-# Hot targets alone are optimised as the build type says (decision 78).
+# The targets that compute by the million: they alone are optimised as the build type says (decision 78).
 set(OSGTRAINER_HOT osgPMObjects_core osgTerrainROAM_core osgMultiTriangulation_core osgRoads_core scenery worldmaking
     terrain_generator)
+
+# What holds for every target of the tree: warnings, and the same rounding everywhere (a fused multiply-add would make
+# pictures and meshes depend on the CPU).
 function(osgtrainer_common target)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:osgTrainer_warnings>)
     target_compile_options(${target} PRIVATE -ffp-contract=off)
