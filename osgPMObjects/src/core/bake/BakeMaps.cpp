@@ -9,7 +9,7 @@
 #include <osgPMObjects/core/Parallel.h>
 #include <osgPMObjects/core/bake/BakeMaps.h>
 
-#include "../mesh/SmallMath.h"
+#include "../mesh/UnitVector.h"
 #include "FillTexels.h"
 #include "SurfaceMatch.h"
 #include "TexelOwners.h"

@@ -10,6 +10,8 @@
 #include <osgPMObjects/core/mesh/EdgeTable.h>
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 
+#include "../mesh/UnitVector.h"
+
 namespace osgPMObjects::core
 {
 
@@ -48,10 +50,8 @@ SurfaceMatch::SurfaceMatch(const Mesh& full, const Mesh& simplified, double reac
 {
     for (const Face& face : full.faces)
     {
-        const glm::dvec3 area =
-            glm::cross(full.at(face, 1) - full.at(face, 0), full.at(face, 2) - full.at(face, 0));
-        const double length = glm::length(area);
-        _normals.push_back(length > 0.0 ? area / length : glm::dvec3(0.0));
+        const glm::dvec3 edge = full.at(face, 1) - full.at(face, 0);
+        _normals.push_back(unitOr0(glm::cross(edge, full.at(face, 2) - full.at(face, 0))));
     }
     for (const Face& face : simplified.faces)
         _isGone[face.part] = false;

@@ -12,7 +12,7 @@
 #include <osgPMObjects/core/mesh/UnionFind.h>
 #include <osgPMObjects/core/mesh/Wedge.h>
 
-#include "../mesh/SmallMath.h"
+#include "../mesh/UnitVector.h"
 
 namespace osgPMObjects::core
 {

@@ -7,7 +7,7 @@
 
 #include <osgPMObjects/core/polish/PolishByImages.h>
 
-#include "../mesh/SmallMath.h"
+#include "../mesh/Squared.h"
 #include "TriangleRaster.h"
 
 namespace osgPMObjects::core

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "../../mesh/SmallMath.h"
+#include "../../mesh/Squared.h"
 
 namespace osgPMObjects::core
 {

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "../../mesh/SmallMath.h"
+#include "../../mesh/Squared.h"
 #include "../quadric/KeepArea.h"
 #include "../sequence/LevelErrors.h"
 #include "../symmetry/TwinFolds.h"

@@ -7,12 +7,6 @@
 namespace osgPMObjects::core
 {
 
-/// The square of a number.
-constexpr double squared(double x)
-{
-    return x * x;
-}
-
 /// The unit vector in the direction of `v`, or 0 where `v` is 0.
 inline glm::dvec3 unitOr0(const glm::dvec3& v)
 {
