@@ -38,17 +38,47 @@ struct VisibilityAction
 };
 
 /// Actions on one entity; they grow here.
-using PrivateAction =
+using PrivateActionKinds =
     std::variant<TeleportAction, FollowTrajectoryAction, SpeedAction, SpeedProfileAction,
                  LongitudinalDistanceAction, LaneChangeAction, LaneOffsetAction, LateralDistanceAction,
                  AssignRouteAction, AcquirePositionAction, SynchronizeAction, ActivateControllerAction,
                  AssignControllerAction, VisibilityAction, LightStateAction, TrailerAction, AnimationAction,
                  OverrideAction, RandomRouteAction, Unsupported>;
 
+/// An action on one entity. Compiled once, as Position is.
+struct PrivateAction : PrivateActionKinds
+{
+    using PrivateActionKinds::variant;
+
+    PrivateAction();
+    PrivateAction(const PrivateAction&);
+    PrivateAction(PrivateAction&&) noexcept;
+    PrivateAction& operator=(const PrivateAction&);
+    PrivateAction& operator=(PrivateAction&&) noexcept;
+    ~PrivateAction();
+
+    bool operator==(const PrivateAction&) const;
+};
+
 /// Actions on the scene as a whole.
-using GlobalAction =
+using GlobalActionKinds =
     std::variant<EnvironmentAction, SetValueAction, SetMonitorAction, TrafficSignalStateAction,
                  TrafficSignalControllerAction, EntityAction, TrafficAction, Unsupported>;
+
+/// An action on the scene as a whole. Compiled once, as Position is.
+struct GlobalAction : GlobalActionKinds
+{
+    using GlobalActionKinds::variant;
+
+    GlobalAction();
+    GlobalAction(const GlobalAction&);
+    GlobalAction(GlobalAction&&) noexcept;
+    GlobalAction& operator=(const GlobalAction&);
+    GlobalAction& operator=(GlobalAction&&) noexcept;
+    ~GlobalAction();
+
+    bool operator==(const GlobalAction&) const;
+};
 
 using Action = std::variant<PrivateAction, GlobalAction>;
 

@@ -94,10 +94,25 @@ struct TimeOfDayCondition
     bool operator==(const TimeOfDayCondition&) const = default;
 };
 
-using ConditionContent =
+using ConditionContentKinds =
     std::variant<SimulationTimeCondition, StoryboardElementStateCondition, ValueCondition,
                  TrafficSignalCondition, TrafficSignalControllerCondition, TimeOfDayCondition,
                  EntityCondition, Unsupported>;
+
+/// What a condition asks. Compiled once, as Position is.
+struct ConditionContent : ConditionContentKinds
+{
+    using ConditionContentKinds::variant;
+
+    ConditionContent();
+    ConditionContent(const ConditionContent&);
+    ConditionContent(ConditionContent&&) noexcept;
+    ConditionContent& operator=(const ConditionContent&);
+    ConditionContent& operator=(ConditionContent&&) noexcept;
+    ~ConditionContent();
+
+    bool operator==(const ConditionContent&) const;
+};
 
 enum class ConditionEdge
 {

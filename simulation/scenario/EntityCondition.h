@@ -175,10 +175,25 @@ struct RelativeClearanceCondition
     bool operator==(const RelativeClearanceCondition&) const = default;
 };
 
-using EntityConditionContent =
+using EntityConditionContentKinds =
     std::variant<TimeHeadwayCondition, TimeToCollisionCondition, DistanceCondition, TraveledDistanceCondition,
                  ReachPositionCondition, SpeedCondition, AccelerationCondition, LastingCondition,
                  CollisionCondition, AngleCondition, RelativeClearanceCondition, Unsupported>;
+
+/// What is asked of entities. Compiled once, as Position is.
+struct EntityConditionContent : EntityConditionContentKinds
+{
+    using EntityConditionContentKinds::variant;
+
+    EntityConditionContent();
+    EntityConditionContent(const EntityConditionContent&);
+    EntityConditionContent(EntityConditionContent&&) noexcept;
+    EntityConditionContent& operator=(const EntityConditionContent&);
+    EntityConditionContent& operator=(EntityConditionContent&&) noexcept;
+    ~EntityConditionContent();
+
+    bool operator==(const EntityConditionContent&) const;
+};
 
 struct EntityCondition
 {

@@ -100,8 +100,23 @@ struct TrajectoryPosition
     bool operator==(const TrajectoryPosition& other) const;
 };
 
-using Position = std::variant<WorldPosition, GeoPosition, LanePosition, RoadPosition, RelativeLanePosition,
-                              RelativeRoadPosition, RelativeObjectPosition, RelativeWorldPosition,
-                              RoutePosition, TrajectoryPosition, Unsupported>;
+using PositionKinds = std::variant<WorldPosition, GeoPosition, LanePosition, RoadPosition,
+                                   RelativeLanePosition, RelativeRoadPosition, RelativeObjectPosition,
+                                   RelativeWorldPosition, RoutePosition, TrajectoryPosition, Unsupported>;
+
+/// A place. Its copying, comparing and destroying are compiled once, in Position.cpp: each unit that reads this header would pay for them.
+struct Position : PositionKinds
+{
+    using PositionKinds::variant;
+
+    Position();
+    Position(const Position&);
+    Position(Position&&) noexcept;
+    Position& operator=(const Position&);
+    Position& operator=(Position&&) noexcept;
+    ~Position();
+
+    bool operator==(const Position&) const;
+};
 
 } // namespace simulation
