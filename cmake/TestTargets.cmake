@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Programs that test: GoogleTest and libFuzzer.
 
-# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ... [TIMEOUT s] [SPLIT suite…]): a GoogleTest program, one
-# ctest test a suite, or a test in the suites that SPLIT names: long ones whose tests share nothing.
+# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ... [TIMEOUT s] [SPLIT suite…] [UNOPTIMISED]): a GoogleTest
+# program, one ctest test a suite, or a test in the suites that SPLIT names: long ones whose tests share nothing.
+# UNOPTIMISED: its own code computes little, since it runs other programs; it compiles in little more than half the time.
 function(osgtrainer_test name)
-    cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;LINK;SPLIT" ${ARGN})
+    cmake_parse_arguments(arg "UNOPTIMISED" "LABEL;TIMEOUT" "SOURCES;LINK;SPLIT" ${ARGN})
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 600)
     endif()
@@ -20,6 +21,9 @@ function(osgtrainer_test name)
     endif()
     target_compile_definitions(${name} PRIVATE OSGTRAINER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     osgtrainer_common(${name})
+    if(arg_UNOPTIMISED)
+        target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O0>)
+    endif()
     target_compile_options(${name} PRIVATE
         $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>) # false alarm: a unity file includes only sources
     set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
