@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pmtool/MeasureCache.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {

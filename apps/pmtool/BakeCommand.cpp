@@ -12,6 +12,7 @@
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
 #include "pmtool/Timing.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {

@@ -16,6 +16,7 @@
 #include "pmtool/Models.h"
 #include "pmtool/RemovalOptions.h"
 #include "pmtool/Timing.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {

@@ -14,6 +14,7 @@
 #include "pmtool/Models.h"
 #include "pmtool/QuadDiagonals.h"
 #include "pmtool/Timing.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {

@@ -4,6 +4,7 @@
 
 #include "pmtool/Models.h"
 #include "pmtool/PmInfo.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {

@@ -6,6 +6,7 @@
 
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 
+#include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "terminal/Progress.h"
 #include "terminal/Terminal.h"
@@ -76,7 +77,8 @@ foundation::Result<nlohmann::ordered_json> resultOf(const Work& work, const std:
 
 foundation::Result<terminal::Report>
 forEachModel(const std::vector<std::string>& files,
-             const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work)
+             const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work,
+             const std::string& program)
 {
     terminal::Report report;
     report.json["models"] = nlohmann::ordered_json::array();
@@ -89,7 +91,7 @@ forEachModel(const std::vector<std::string>& files,
             report.json["models"].push_back(std::move(*row));
         else
         {
-            terminal::fail("pmtool", row.error());
+            terminal::fail(program, row.error());
             report.sound = false;
         }
     }

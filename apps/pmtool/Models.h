@@ -49,11 +49,12 @@ struct CleanModel
 /// Reads and cleans a model. Errors: as read(); no triangles are left.
 foundation::Result<CleanModel> readClean(const std::string& file, const osgPMObjects::ReadLimits& limits);
 
-/// Calls `work` for each file and adds the row that it returns to the table's "models". An error is printed; then the other files
-/// are done all the same, and the table is not sound.
+/// Calls `work` for each file and adds the row that it returns to the table's "models". An error is printed, as one of `program`; then
+/// the other files are done all the same, and the table is not sound.
 foundation::Result<terminal::Report>
 forEachModel(const std::vector<std::string>& files,
-             const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work);
+             const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work,
+             const std::string& program = "pmtool");
 
 /// Returns counts under their names in tables.
 nlohmann::ordered_json tableOf(const osgPMObjects::core::MeshCounts& counts);

@@ -7,6 +7,8 @@
 #include <osgPMObjects/core/simplify/CollapsesOfRemovals.h>
 #include <osgPMObjects/core/simplify/RemoveVertices.h>
 
+#include "terminal/CommandLine.h"
+
 namespace pmtool
 {
 

@@ -12,6 +12,7 @@
 #include "pmtool/LevelMaker.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {

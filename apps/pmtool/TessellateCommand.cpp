@@ -10,6 +10,7 @@
 #include "pmtool/Timing.h"
 #include "pmtool/polygons/CutPolygons.h"
 #include "pmtool/polygons/ReadPolygons.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {

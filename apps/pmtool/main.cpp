@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pmtool: inspects, cleans, simplifies and compares models.
+// pmtool: inspects, cleans and simplifies models.
 #include "pmtool/Commands.h"
 #include "terminal/Guard.h"
 
@@ -8,7 +8,7 @@ namespace
 
 int run(int argc, char** argv)
 {
-    CLI::App app("Inspects, cleans and compares models of objects.", "pmtool");
+    CLI::App app("Inspects, cleans and simplifies models of objects.", "pmtool");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
     app.require_subcommand(1);
     pmtool::Chosen chosen;
@@ -17,14 +17,7 @@ int run(int argc, char** argv)
     pmtool::addBake(app, chosen);
     pmtool::addSimplify(app, chosen);
     pmtool::addBuild(app, chosen);
-    pmtool::addSupport(app, chosen);
     pmtool::addTessellate(app, chosen);
-    CLI::App* compare = pmtool::addCompareGroup(app);
-    pmtool::addCompareOrder(*compare, chosen);
-    pmtool::addCompareCache(*compare, chosen);
-    pmtool::addCompareSimplify(*compare, chosen);
-    pmtool::addCompareSilhouette(*compare, chosen);
-    pmtool::addCompareTolerance(*compare, chosen);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("pmtool", chosen.jsonFile, chosen.work, chosen.places);
 }

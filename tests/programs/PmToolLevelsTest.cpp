@@ -116,11 +116,11 @@ TEST(PmToolLevels, ShowHardlyMoreThanTheToleranceNeeds)
     const Workplace place;
     const auto compare = [&](const char* most)
     {
-        return runPmTool({"compare", "tolerance", place.write("waves.obj", waves()), "--across", "50",
-                          "--points", "5000", "--most-ratio", most});
+        return runProgram({OSGTRAINER_COMPARE_OBJECTS, "tolerance", place.write("waves.obj", waves()),
+                           "--across", "50", "--points", "5000", "--most-ratio", most});
     };
     EXPECT_TRUE(succeeds(compare("1.3")));
-    EXPECT_TRUE(failsWith(compare("1"), 1, "pmtool", {"waves.obj", "times the fewest triangles"}));
+    EXPECT_TRUE(failsWith(compare("1"), 1, "compare_objects", {"waves.obj", "times the fewest triangles"}));
 }
 
 TEST(PmToolLevels, RefuseWhatTheMethodWouldIgnore)

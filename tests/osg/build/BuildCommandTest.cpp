@@ -11,6 +11,7 @@
 #include "TestFolder.h"
 #include "pmtool/Commands.h"
 #include "pmtool/ModelFiles.h"
+#include "terminal/CommandLine.h"
 
 namespace
 {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "SimplifyMeshes.h"
-#include "pmtool/CacheRow.h"
+#include "compare/objects/CacheRow.h"
 
 namespace
 {

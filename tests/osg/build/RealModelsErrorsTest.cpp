@@ -11,7 +11,7 @@
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include "RealData.h"
-#include "pmtool/ChosenLevel.h"
+#include "compare/objects/ChosenLevel.h"
 #include "pmtool/Models.h"
 
 namespace

@@ -11,9 +11,9 @@
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include "RealData.h"
-#include "pmtool/CacheRow.h"
+#include "compare/objects/CacheRow.h"
+#include "compare/objects/SimplifyTool.h"
 #include "pmtool/Models.h"
-#include "pmtool/SimplifyTool.h"
 
 namespace
 {

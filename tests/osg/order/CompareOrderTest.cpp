@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool compare order` with the arguments of the command line, in this process.
+// `compare_objects order` with the arguments of the command line, in this process.
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -12,8 +12,9 @@
 #include "OrderMeshes.h"
 #include "RealData.h"
 #include "TestFolder.h"
-#include "pmtool/Commands.h"
-#include "pmtool/OrderRow.h"
+#include "compare/objects/Commands.h"
+#include "compare/objects/OrderRow.h"
+#include "terminal/CommandLine.h"
 
 namespace
 {
@@ -31,9 +32,9 @@ foundation::Result<terminal::Report> compareOrder(const std::vector<std::string>
 {
     CLI::App app;
     pmtool::Chosen chosen;
-    pmtool::addCompareOrder(*pmtool::addCompareGroup(app), chosen);
+    pmtool::addCompareOrder(app, chosen);
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
-    reversed.insert(reversed.end(), {"order", "compare"});
+    reversed.emplace_back("order");
     app.parse(reversed);
     return chosen.work();
 }

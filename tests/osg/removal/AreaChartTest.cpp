@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/AreaChart.h"
+#include "compare/objects/AreaChart.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool support` with the arguments of the command line, in this process.
+// `compare_objects support` with the arguments of the command line, in this process.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,8 +11,9 @@
 #include <unistd.h>
 
 #include "ClosedMeshes.h"
-#include "pmtool/Commands.h"
+#include "compare/objects/Commands.h"
 #include "pmtool/ModelFiles.h"
+#include "terminal/CommandLine.h"
 
 namespace
 {

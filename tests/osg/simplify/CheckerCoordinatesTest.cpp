@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/CheckerCoordinates.h"
+#include "compare/objects/CheckerCoordinates.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool compare silhouette` with the arguments of the command line, in this process.
+// `compare_objects silhouette` with the arguments of the command line, in this process.
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "TestFolder.h"
-#include "pmtool/Commands.h"
+#include "compare/objects/Commands.h"
+#include "terminal/CommandLine.h"
 
 namespace
 {
@@ -17,9 +18,9 @@ foundation::Result<terminal::Report> compareSilhouette(const Words& arguments)
 {
     CLI::App app;
     pmtool::Chosen chosen;
-    pmtool::addCompareSilhouette(*pmtool::addCompareGroup(app), chosen);
+    pmtool::addCompareSilhouette(app, chosen);
     Words reversed(arguments.rbegin(), arguments.rend());
-    reversed.insert(reversed.end(), {"silhouette", "compare"});
+    reversed.emplace_back("silhouette");
     app.parse(reversed);
     return chosen.work();
 }

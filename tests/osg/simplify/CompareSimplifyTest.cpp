@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool compare simplify` with the arguments of the command line, in this process.
+// `compare_objects simplify` with the arguments of the command line, in this process.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -13,8 +13,9 @@
 #include "MadeMeshes.h"
 #include "RealData.h"
 #include "TestFolder.h"
-#include "pmtool/Commands.h"
-#include "pmtool/SimplifyTool.h"
+#include "compare/objects/Commands.h"
+#include "compare/objects/SimplifyTool.h"
+#include "terminal/CommandLine.h"
 
 namespace
 {
@@ -41,9 +42,9 @@ foundation::Result<terminal::Report> compareSimplify(const Words& arguments)
 {
     CLI::App app;
     pmtool::Chosen chosen;
-    pmtool::addCompareSimplify(*pmtool::addCompareGroup(app), chosen);
+    pmtool::addCompareSimplify(app, chosen);
     Words reversed(arguments.rbegin(), arguments.rend());
-    reversed.insert(reversed.end(), {"simplify", "compare"});
+    reversed.emplace_back("simplify");
     app.parse(reversed);
     return chosen.work();
 }

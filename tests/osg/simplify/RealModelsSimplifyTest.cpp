@@ -15,7 +15,7 @@
 
 #include "Foliage.h"
 #include "RealData.h"
-#include "pmtool/CheckerCoordinates.h"
+#include "compare/objects/CheckerCoordinates.h"
 #include "pmtool/Models.h"
 
 namespace

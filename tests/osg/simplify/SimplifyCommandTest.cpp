@@ -8,6 +8,7 @@
 #include "pmtool/Commands.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "terminal/CommandLine.h"
 
 namespace
 {

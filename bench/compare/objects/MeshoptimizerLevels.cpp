@@ -7,7 +7,7 @@
 
 #include <osgPMObjects/core/mesh/Extent.h>
 
-#include "pmtool/SimplifyTool.h"
+#include "compare/objects/SimplifyTool.h"
 
 namespace pmtool
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/OrderSubject.h"
+#include "compare/objects/OrderSubject.h"
 
 #include <numeric>
 #include <unordered_map>

@@ -10,11 +10,13 @@
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
 
-#include "pmtool/ChartSvg.h"
-#include "pmtool/DistanceChart.h"
+#include "compare/objects/ChartSvg.h"
+#include "compare/objects/Commands.h"
+#include "compare/objects/DistanceChart.h"
+#include "compare/objects/SupportCurves.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
-#include "pmtool/SupportCurves.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {
@@ -129,8 +131,8 @@ foundation::Result<terminal::Report> compareSupports(const SupportRequest& reque
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
     Findings findings;
-    auto report = forEachModel(request.models.files,
-                               [&](const std::string& file) { return study(request, findings, file); });
+    auto report = measureEachModel(request.models.files,
+                                   [&](const std::string& file) { return study(request, findings, file); });
     if (!report) return report;
     Json& table = report->json;
     table["octreeDepth"] = request.depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/SimplifyRow.h"
+#include "compare/objects/SimplifyRow.h"
 
 #include <algorithm>
 #include <cmath>

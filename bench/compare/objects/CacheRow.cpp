@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/CacheRow.h"
+#include "compare/objects/CacheRow.h"
 
 #include <algorithm>
 #include <functional>

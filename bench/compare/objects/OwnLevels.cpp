@@ -2,7 +2,7 @@
 #include <osgPMObjects/core/simplify/RemoveVertices.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
-#include "pmtool/SimplifyTool.h"
+#include "compare/objects/SimplifyTool.h"
 
 namespace pmtool
 {

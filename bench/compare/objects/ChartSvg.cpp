@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/ChartSvg.h"
+#include "compare/objects/ChartSvg.h"
 
 #include <cmath>
 #include <cstddef>

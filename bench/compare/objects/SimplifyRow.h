@@ -9,7 +9,7 @@
 
 #include <osgPMObjects/core/simplify/SimplificationError.h>
 
-#include "pmtool/SimplifyTool.h"
+#include "compare/objects/SimplifyTool.h"
 
 namespace pmtool
 {

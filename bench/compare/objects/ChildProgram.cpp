@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/ChildProgram.h"
+#include "compare/objects/ChildProgram.h"
 
 #include <cerrno>
 #include <chrono>

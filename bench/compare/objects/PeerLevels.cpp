@@ -7,9 +7,9 @@
 
 #include <osgPMObjects/core/Triangle.h>
 
-#include "pmtool/ChildProgram.h"
+#include "compare/objects/ChildProgram.h"
+#include "compare/objects/SimplifyTool.h"
 #include "pmtool/ModelFiles.h"
-#include "pmtool/SimplifyTool.h"
 
 namespace pmtool
 {

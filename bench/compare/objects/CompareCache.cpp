@@ -3,11 +3,12 @@
 #include <iostream>
 #include <memory>
 
+#include "compare/objects/CacheRow.h"
+#include "compare/objects/Commands.h"
+#include "compare/objects/SimplifyTool.h"
 #include "pmtool/ArrangementOptions.h"
-#include "pmtool/CacheRow.h"
-#include "pmtool/Commands.h"
 #include "pmtool/Models.h"
-#include "pmtool/SimplifyTool.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {
@@ -77,10 +78,10 @@ foundation::Result<Json> compareModel(const std::string& file, const CacheReques
 
 } // namespace
 
-void addCompareCache(CLI::App& compare, Chosen& chosen)
+void addCompareCache(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<CacheRequest>();
-    CLI::App* sub = compare.add_subcommand(
+    CLI::App* sub = app.add_subcommand(
         "cache", "arrangements of the faces of progressive meshes, by vertices transformed at all levels");
     addModelOptions(*sub, request->models, chosen.jsonFile);
     sub->add_option("--levels", request->levels, "number of levels measured, evenly spaced (41)")
@@ -92,8 +93,8 @@ void addCompareCache(CLI::App& compare, Chosen& chosen)
         {
             chosen.work = [request]
             {
-                return forEachModel(request->models.files,
-                                    [&](const std::string& file) { return compareModel(file, *request); });
+                return measureEachModel(request->models.files, [&](const std::string& file)
+                                        { return compareModel(file, *request); });
             };
         });
 }

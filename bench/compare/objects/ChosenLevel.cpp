@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/ChosenLevel.h"
+#include "compare/objects/ChosenLevel.h"
 
 #include <osgPMObjects/core/selection/LevelSelector.h>
 

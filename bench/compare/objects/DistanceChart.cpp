@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/DistanceChart.h"
+#include "compare/objects/DistanceChart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <osgPMObjects/core/selection/ContinuousRule.h>
 
-#include "pmtool/ChartSvg.h"
+#include "compare/objects/ChartSvg.h"
 
 namespace pmtool
 {

@@ -11,10 +11,11 @@
 
 #include <osgPMObjects/MaterialLooks>
 
-#include "pmtool/ChosenLevel.h"
-#include "pmtool/Commands.h"
+#include "compare/objects/ChosenLevel.h"
+#include "compare/objects/Commands.h"
 #include "pmtool/Models.h"
 #include "pmtool/Timing.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {
@@ -132,7 +133,7 @@ void judge(terminal::Report& report, double most)
         {
             if (most == 0.0 || result["ratio"].get<double>() <= most) continue;
             report.sound = false;
-            std::cerr << "pmtool: " << model["model"].get<std::string>() << ": shows "
+            std::cerr << "compare_objects: " << model["model"].get<std::string>() << ": shows "
                       << result["ratio"].get<double>() << " times the fewest triangles, " << most
                       << " are allowed; measure a finer ladder\n";
         }
@@ -140,10 +141,10 @@ void judge(terminal::Report& report, double most)
 
 } // namespace
 
-void addCompareTolerance(CLI::App& compare, Chosen& chosen)
+void addCompareTolerance(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<ToleranceRequest>();
-    CLI::App* sub = compare.add_subcommand(
+    CLI::App* sub = app.add_subcommand(
         "tolerance",
         "triangles that progressive objects show at a tolerance of a pixel, and the fewest that keep it");
     addModelOptions(*sub, request->models, chosen.jsonFile);
@@ -160,8 +161,8 @@ void addCompareTolerance(CLI::App& compare, Chosen& chosen)
         {
             chosen.work = [request]
             {
-                auto report = forEachModel(request->models.files, [&](const std::string& file)
-                                           { return compareModelTolerances(file, *request); });
+                auto report = measureEachModel(request->models.files, [&](const std::string& file)
+                                               { return compareModelTolerances(file, *request); });
                 if (report) judge(*report, request->mostRatio);
                 return report;
             };

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pmtool/OrderSubject.h"
+#include "compare/objects/OrderSubject.h"
 
 namespace pmtool
 {

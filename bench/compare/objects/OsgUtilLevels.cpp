@@ -8,7 +8,7 @@
 #include <osgPMObjects/ExportNode>
 #include <osgPMObjects/ImportNode>
 
-#include "pmtool/SimplifyTool.h"
+#include "compare/objects/SimplifyTool.h"
 
 namespace pmtool
 {

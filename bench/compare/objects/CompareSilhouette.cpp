@@ -16,10 +16,12 @@
 
 #include <osgPMObjects/MaterialLooks>
 
-#include "pmtool/CheckerCoordinates.h"
+#include "compare/objects/CheckerCoordinates.h"
+#include "compare/objects/Commands.h"
+#include "compare/objects/SimplifyTool.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
-#include "pmtool/SimplifyTool.h"
+#include "terminal/CommandLine.h"
 
 namespace pmtool
 {
@@ -195,8 +197,8 @@ foundation::Result<terminal::Report> compareSilhouettes(SilhouetteRequest reques
     if (!request.imageFolder.empty())
         if (const auto made = makeFolder(request.imageFolder); !made) return made.error();
     OutputNames names;
-    return forEachModel(request.models.files,
-                        [&](const std::string& file) { return compareModelImages(file, request, names); });
+    return measureEachModel(request.models.files, [&](const std::string& file)
+                            { return compareModelImages(file, request, names); });
 }
 
 std::vector<std::string> seamToolNames()
@@ -209,10 +211,10 @@ std::vector<std::string> seamToolNames()
 
 } // namespace
 
-void addCompareSilhouette(CLI::App& compare, Chosen& chosen)
+void addCompareSilhouette(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<SilhouetteRequest>();
-    CLI::App* sub = compare.add_subcommand(
+    CLI::App* sub = app.add_subcommand(
         "silhouette",
         "levels by their images from all around: area of the silhouette, pixels covered, shade");
     addModelOptions(*sub, request->models, chosen.jsonFile);

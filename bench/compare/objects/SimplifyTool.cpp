@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/SimplifyTool.h"
+#include "compare/objects/SimplifyTool.h"
 
 #include <osgPMObjects/core/Triangle.h>
 #include <osgPMObjects/core/mesh/EdgeTable.h>

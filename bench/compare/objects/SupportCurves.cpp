@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/SupportCurves.h"
+#include "compare/objects/SupportCurves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,13 @@
 #include <cctype>
 #include <memory>
 
-#include "pmtool/CheckerCoordinates.h"
+#include "compare/objects/CheckerCoordinates.h"
+#include "compare/objects/Commands.h"
+#include "compare/objects/SimplifyRow.h"
+#include "compare/objects/SimplifyTool.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
-#include "pmtool/SimplifyRow.h"
-#include "pmtool/SimplifyTool.h"
+#include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 
 namespace pmtool
@@ -83,8 +85,8 @@ foundation::Result<terminal::Report> compareSimplifiers(const CompareRequest& re
     if (!request.dumpFolder.empty())
         if (const auto made = makeFolder(request.dumpFolder); !made) return made.error();
     OutputNames names;
-    return forEachModel(request.models.files,
-                        [&](const std::string& file) { return compareModel(file, request, names); });
+    return measureEachModel(request.models.files,
+                            [&](const std::string& file) { return compareModel(file, request, names); });
 }
 
 /// Names of tools are parts of file names, too.
@@ -128,10 +130,10 @@ std::vector<SimplifyTool> chosenTools(const CompareRequest& request)
 
 } // namespace
 
-void addCompareSimplify(CLI::App& compare, Chosen& chosen)
+void addCompareSimplify(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<CompareRequest>();
-    CLI::App* sub = compare.add_subcommand(
+    CLI::App* sub = app.add_subcommand(
         "simplify", "ways to simplify, by the distance between surfaces at several counts of triangles");
     addModelOptions(*sub, request->models, chosen.jsonFile);
     sub->add_option("--dump", request->dumpFolder,

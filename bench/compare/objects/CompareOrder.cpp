@@ -6,9 +6,10 @@
 
 #include <foundation/WholeFile.h>
 
-#include "pmtool/Commands.h"
+#include "compare/objects/Commands.h"
+#include "compare/objects/OrderRow.h"
 #include "pmtool/Models.h"
-#include "pmtool/OrderRow.h"
+#include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 
 namespace pmtool
@@ -111,16 +112,16 @@ foundation::Result<terminal::Report> compareModelOrders(const OrderRequest& requ
         return foundation::Error{request.dumpFolder.string(), "cannot be made: " + failed.message(),
                                  "name another folder"};
     std::size_t number = 0; // files of the same name in different folders have dumps of their own
-    return forEachModel(request.models.files, [&](const std::string& file)
-                        { return compareModel(file, std::to_string(number++), request); });
+    return measureEachModel(request.models.files, [&](const std::string& file)
+                            { return compareModel(file, std::to_string(number++), request); });
 }
 
 } // namespace
 
-void addCompareOrder(CLI::App& compare, Chosen& chosen)
+void addCompareOrder(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<OrderRequest>();
-    CLI::App* sub = compare.add_subcommand(
+    CLI::App* sub = app.add_subcommand(
         "order", "orders of triangles, by vertices transformed per triangle for several caches");
     addModelOptions(*sub, request->models, chosen.jsonFile);
     sub->add_option("--dump", request->dumpFolder, "write the indices of every order to this folder");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/AreaChart.h"
+#include "compare/objects/AreaChart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "pmtool/ChartSvg.h"
+#include "compare/objects/ChartSvg.h"
 
 namespace pmtool
 {

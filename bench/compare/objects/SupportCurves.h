@@ -10,7 +10,7 @@
 #include <osgPMObjects/core/simplify/RemoveVertices.h>
 #include <osgPMObjects/core/simplify/SupportVertices.h>
 
-#include "pmtool/AreaChart.h"
+#include "compare/objects/AreaChart.h"
 
 namespace pmtool
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/OrderRow.h"
+#include "compare/objects/OrderRow.h"
 
 #include <algorithm>
 #include <functional>
