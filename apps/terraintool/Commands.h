@@ -27,17 +27,6 @@ struct Request
     bool morphing = false;                                ///< check what is drawn with morphing
     std::optional<osgTerrainROAM::core::Method> method{}; ///< absent: the terrain's own
     int patchExponent = 0;                                ///< 2^k triangles for each leaf
-
-    // Of bench alone.
-    int benchFrames = 240;
-    int framesBetweenChecks = 120;    ///< by brute force; 1: every frame is checked, and dumped
-    std::vector<std::string> drivers; ///< names; empty: all of them
-    std::vector<double> tolerancesPx{2.0, 1.0};
-    bool leavesNearby = false;   ///< LeafPlacement::nearby
-    bool centrePixels = false;   ///< the tolerance holds in the middle of the picture
-    std::vector<int> crop;       ///< side in samples; column and row of its north-west sample
-    std::optional<double> cellM; ///< sample distance instead of the file's
-    std::filesystem::path dumpFolder;
 };
 
 using terminal::Report;
@@ -52,8 +41,5 @@ foundation::Result<Report> info(const Request& request);
 /// Flies the tour over each terrain, and the path of each scenario (.xosc) over the terrain that it names, and checks the
 /// mesh of every frame by brute force. A .mt file is checked by validateMt().
 foundation::Result<Report> validate(const Request& request);
-
-/// Measures every driver on the benchmark paths over a planar square of each terrain.
-foundation::Result<Report> bench(const Request& request);
 
 } // namespace terraintool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests `terraintool compare` as it is run: flights, files, what it cannot do, and programs of others.
+// Tests `compare_terrain methods` as it is run: flights, files, what it cannot do, and programs of others.
 #include <string>
 #include <vector>
 
@@ -20,14 +20,21 @@ TEST(CompareProgram, FliesTheComparisonFlightOrAScenario)
     const std::string drive = place.write("drive.xosc", driveText("hill.tif"));
     for (const Keys& flight : {Keys{}, Keys{"--flight", drive}})
     {
-        Keys arguments{"compare",    place.hill(),
-                       "--frames",   "6",
-                       "--error",    "1",
-                       "--json",     place.path("compared.json"),
-                       "--html",     place.path("compared.html"),
-                       "--markdown", place.path("compared.md")};
+        Keys arguments{OSGTRAINER_COMPARE_TERRAIN,
+                       "methods",
+                       place.hill(),
+                       "--frames",
+                       "6",
+                       "--error",
+                       "1",
+                       "--json",
+                       place.path("compared.json"),
+                       "--html",
+                       place.path("compared.html"),
+                       "--markdown",
+                       place.path("compared.md")};
         arguments.insert(arguments.end(), flight.begin(), flight.end());
-        EXPECT_TRUE(succeeds(runTerrainTool(arguments)));
+        EXPECT_TRUE(succeeds(runProgram(arguments)));
         const auto json = ordered_json::parse(readBytes(place.path("compared.json")), nullptr, false);
         EXPECT_EQ(json["dems"][0]["dem"], "hill.tif");
         EXPECT_NE(readBytes(place.path("compared.html")).find("hill.tif"), std::string::npos);
@@ -50,17 +57,22 @@ TEST(CompareProgram, FliesTheComparisonFlightOrAScenario)
 TEST(CompareProgram, SaysWhatItCannotDo)
 {
     const Workplace place;
-    EXPECT_TRUE(
-        failsWith(runTerrainTool({"compare", place.hill(), "--crop", "66"}), 1, "terraintool", {"square"}));
-    EXPECT_TRUE(failsWith(runTerrainTool({"compare", "none.tif"}), 1, "terraintool", {"none.tif"}));
-    EXPECT_EQ(runTerrainTool({"compare", place.hill(), "--error", "0"}).exitCode, 2);
-    EXPECT_EQ(runTerrainTool({"compare", place.hill(), "--flight", place.path("no.xosc")}).exitCode, 2);
-    EXPECT_TRUE(failsWith(
-        runTerrainTool({"compare", place.hill(), "--frames", "2", "--html", place.path("no/a.html")}), 1,
-        "terraintool", {"no"}));
+    EXPECT_TRUE(failsWith(runProgram({OSGTRAINER_COMPARE_TERRAIN, "methods", place.hill(), "--crop", "66"}),
+                          1, "compare_terrain", {"square"}));
+    EXPECT_TRUE(failsWith(runProgram({OSGTRAINER_COMPARE_TERRAIN, "methods", "none.tif"}), 1,
+                          "compare_terrain", {"none.tif"}));
+    EXPECT_EQ(runProgram({OSGTRAINER_COMPARE_TERRAIN, "methods", place.hill(), "--error", "0"}).exitCode, 2);
+    EXPECT_EQ(
+        runProgram({OSGTRAINER_COMPARE_TERRAIN, "methods", place.hill(), "--flight", place.path("no.xosc")})
+            .exitCode,
+        2);
+    EXPECT_TRUE(failsWith(runProgram({OSGTRAINER_COMPARE_TERRAIN, "methods", place.hill(), "--frames", "2",
+                                      "--html", place.path("no/a.html")}),
+                          1, "compare_terrain", {"no"}));
     const std::string wrong = place.write("wrong.xosc", "<OpenSCENARIO");
-    EXPECT_TRUE(failsWith(runTerrainTool({"compare", place.hill(), "--flight", wrong}), 1, "terraintool",
-                          {"wrong.xosc"}));
+    EXPECT_TRUE(
+        failsWith(runProgram({OSGTRAINER_COMPARE_TERRAIN, "methods", place.hill(), "--flight", wrong}), 1,
+                  "compare_terrain", {"wrong.xosc"}));
 }
 
 /// A program that keeps the samples of every 2^k-th column and row, k by the error: what others would be.
@@ -84,8 +96,8 @@ ordered_json standInRow(const std::string& more, std::string& said)
     const std::string program = place.write("stand-in.sh", kStandIn);
     const std::string command = "run() { sh " + program + " \"$@\"; " + more + "; }; run";
     const ProgramRun run =
-        runTerrainTool({"compare", place.hill(), "--frames", "2", "--error", "4", "--external",
-                        "stand-in=" + command, "--json", place.path("compared.json")});
+        runProgram({OSGTRAINER_COMPARE_TERRAIN, "methods", place.hill(), "--frames", "2", "--error", "4",
+                    "--external", "stand-in=" + command, "--json", place.path("compared.json")});
     EXPECT_TRUE(succeeds(run));
     said = run.errors;
     const auto json = ordered_json::parse(readBytes(place.path("compared.json")), nullptr, false);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that the verdicts of `terraintool compare` follow from its figures alone: a planted figure turns each of them.
+// Tests that the verdicts of `compare_terrain methods` follow from its figures alone: a planted figure turns each of them.
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "GoodFigures.h"
-#include "terraintool/compare/CompareMarkdown.h"
-#include "terraintool/compare/LightChange.h"
-#include "terraintool/compare/Verdicts.h"
+#include "compare/terrain/methods/CompareMarkdown.h"
+#include "compare/terrain/methods/LightChange.h"
+#include "compare/terrain/methods/Verdicts.h"
 
 namespace
 {

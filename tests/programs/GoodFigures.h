@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "terraintool/compare/MethodFigures.h"
+#include "compare/terrain/methods/MethodFigures.h"
 
 namespace terraintool
 {

@@ -86,8 +86,8 @@ TEST(MtTool, pointsOfAFileAreTriangulated)
 TEST(MtTool, benchHasTheKeysThatWereAgreed)
 {
     const Workplace place;
-    EXPECT_TRUE(succeeds(runTerrainTool({"mt-bench", "--points", "2000", "4000", "--folder", place.path(""),
-                                         "--json", place.path("t.json")})));
+    EXPECT_TRUE(succeeds(runProgram({OSGTRAINER_MT_BENCH, "--points", "2000", "4000", "--folder",
+                                     place.path(""), "--json", place.path("t.json")})));
     const auto table = ordered_json::parse(readBytes(place.path("t.json")));
     ASSERT_EQ(table["cases"].size(), 8U);
     for (const char* key : {"distribution", "points", "buildMs", "trees", "largestTree", "smallestTree",
@@ -129,14 +129,14 @@ TEST(MtTool, benchTellsTheLimitAndThePeakBelowIt)
 {
     const Workplace place;
     EXPECT_TRUE(
-        succeeds(runTerrainTool({"mt-bench", "--points", "100000", "--distribution", "clustered", "--memory",
-                                 "64", "--folder", place.path(""), "--json", place.path("t.json")})));
+        succeeds(runProgram({OSGTRAINER_MT_BENCH, "--points", "100000", "--distribution", "clustered",
+                             "--memory", "64", "--folder", place.path(""), "--json", place.path("t.json")})));
     const auto table = ordered_json::parse(readBytes(place.path("t.json")));
     ASSERT_EQ(table["cases"].size(), 1U);
     EXPECT_EQ(table["cases"][0]["limitMB"], 64.0);
     EXPECT_LE(table["cases"][0]["peakMB"], 64.0);
-    EXPECT_EQ(runTerrainTool({"mt-bench", "--points", "100000", "--distribution", "uniform", "--memory", "30",
-                              "--folder", place.path("")})
+    EXPECT_EQ(runProgram({OSGTRAINER_MT_BENCH, "--points", "100000", "--distribution", "uniform", "--memory",
+                          "30", "--folder", place.path("")})
                   .exitCode,
               1);
 }
@@ -144,8 +144,8 @@ TEST(MtTool, benchTellsTheLimitAndThePeakBelowIt)
 TEST(MtTool, sweepsShowThatThresholdsSaveReads)
 {
     const Workplace place;
-    EXPECT_TRUE(succeeds(runTerrainTool({"mt-bench", "--points", "20000", "--sweeps", "--folder",
-                                         place.path(""), "--json", place.path("t.json")})));
+    EXPECT_TRUE(succeeds(runProgram({OSGTRAINER_MT_BENCH, "--points", "20000", "--sweeps", "--folder",
+                                     place.path(""), "--json", place.path("t.json")})));
     const auto sweeps = ordered_json::parse(readBytes(place.path("t.json")))["sweeps"];
     EXPECT_EQ(keysOf(sweeps), (std::vector<std::string>{"treeCounts", "thresholds", "index"}));
     EXPECT_EQ(sweeps["treeCounts"].size(), 5U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests what `terraintool bench` writes: its table, and the frames for checks by other programs.
+// Tests what `compare_terrain drivers` writes: its table, and the frames for checks by other programs.
 #include <cmath>
 #include <cstring>
 #include <set>
@@ -15,10 +15,11 @@ using Keys = std::vector<std::string>;
 /// Returns the table of a short run over a hill of 65 × 65 samples.
 ordered_json tableOf(const Workplace& place, Keys more = {})
 {
-    Keys arguments{"bench",       place.hill(), "--frames", "6",
-                   "--tolerance", "0.5",        "--json",   place.path("bench.json")};
+    Keys arguments{
+        OSGTRAINER_COMPARE_TERRAIN, "drivers", place.hill(), "--frames", "6", "--tolerance", "0.5", "--json",
+        place.path("bench.json")};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    EXPECT_TRUE(succeeds(runTerrainTool(arguments)));
+    EXPECT_TRUE(succeeds(runProgram(arguments)));
     return ordered_json::parse(readBytes(place.path("bench.json")), nullptr, false);
 }
 
@@ -116,15 +117,17 @@ TEST(TerrainBench, DumpsWhatCanBeCheckedFromOutside)
 TEST(TerrainBench, SaysWhatItCannotDo)
 {
     const Workplace place;
-    const ProgramRun beyond = runTerrainTool({"bench", place.hill(), "--crop", "65", "3", "0"});
+    const ProgramRun beyond =
+        runProgram({OSGTRAINER_COMPARE_TERRAIN, "drivers", place.hill(), "--crop", "65", "3", "0"});
     EXPECT_EQ(beyond.exitCode, 1);
     EXPECT_NE(beyond.errors.find("square"), std::string::npos) << beyond.errors;
     place.write("file", "");
-    const ProgramRun blocked =
-        runTerrainTool({"bench", place.hill(), "--frames", "2", "--dump", place.path("file/dump")});
+    const ProgramRun blocked = runProgram({OSGTRAINER_COMPARE_TERRAIN, "drivers", place.hill(), "--frames",
+                                           "2", "--dump", place.path("file/dump")});
     EXPECT_EQ(blocked.exitCode, 1);
     EXPECT_NE(blocked.errors.find("folder"), std::string::npos) << blocked.errors;
-    EXPECT_EQ(runTerrainTool({"bench", place.hill(), "--tolerance", "0"}).exitCode, 2);
+    EXPECT_EQ(runProgram({OSGTRAINER_COMPARE_TERRAIN, "drivers", place.hill(), "--tolerance", "0"}).exitCode,
+              2);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests what `terraintool compare` measures: the search for equal true error, and the figures.
+// Tests what `compare_terrain methods` measures: the search for equal true error, and the figures.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,16 +14,16 @@
 
 #include "Playing.h"
 #include "SyntheticField.h"
+#include "compare/terrain/drivers/FrameChange.h"
+#include "compare/terrain/methods/CompareHtml.h"
+#include "compare/terrain/methods/CompareJson.h"
+#include "compare/terrain/methods/CompareMarkdown.h"
+#include "compare/terrain/methods/IncoherentFrames.h"
+#include "compare/terrain/methods/LightChange.h"
+#include "compare/terrain/methods/MeasureRival.h"
+#include "compare/terrain/methods/Verdicts.h"
+#include "compare/terrain/methods/WorkFit.h"
 #include "measurement/flights/BenchmarkFlight.h"
-#include "terraintool/bench/FrameChange.h"
-#include "terraintool/compare/CompareHtml.h"
-#include "terraintool/compare/CompareJson.h"
-#include "terraintool/compare/CompareMarkdown.h"
-#include "terraintool/compare/IncoherentFrames.h"
-#include "terraintool/compare/LightChange.h"
-#include "terraintool/compare/MeasureRival.h"
-#include "terraintool/compare/Verdicts.h"
-#include "terraintool/compare/WorkFit.h"
 
 namespace
 {

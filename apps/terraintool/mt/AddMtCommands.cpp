@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terraintool/mt/AddMtCommands.h"
 
+#include <memory>
+
 #include <foundation/Threads.h>
+
+#include "terminal/CommandLine.h"
 
 namespace terraintool
 {
@@ -68,26 +72,6 @@ void addMtJobs(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
         ->check(terminal::extension(".mt"));
     join->add_option("--json", jsonFile, "also write the table to this file");
     join->callback([request, &command] { command = [request](const Request&) { return joinMt(*request); }; });
-}
-
-void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
-{
-    CLI::App* sub = app.add_subcommand("mt-bench", "build made-up points of four distributions");
-    const auto request = std::make_shared<MtBenchRequest>();
-    request->folder = std::filesystem::temp_directory_path();
-    sub->add_option("--points", request->points, "numbers of points")->check(CLI::Range(100, 100'000'000));
-    sub->add_option("--distribution", request->distribution, "one of the four alone")
-        ->check(CLI::IsMember({"uniform", "normal", "laplace", "clustered"}));
-    sub->add_option("--memory", request->memoryMb, "MB that each build may take")
-        ->check(terminal::between(1.0, 1e7));
-    sub->add_option("--folder", request->folder, "for the files; they are removed")
-        ->check(CLI::ExistingDirectory);
-    sub->add_flag("--sweeps", request->hasSweeps, "sweep trees, thresholds, index instead");
-    sub->add_option("--jobs", request->options.jobs, "threads (1)")->check(CLI::Range(1u, 1024u));
-    sub->add_option("--trees", request->options.treeCount, "rectangles; without it: balanced")
-        ->check(CLI::Range(1u, 1'000'000u));
-    sub->add_option("--json", jsonFile, "also write the table to this file");
-    sub->callback([request, &command] { command = [request](const Request&) { return benchMt(*request); }; });
 }
 
 void addMtFly(CLI::App& app, std::filesystem::path& jsonFile, Command& command)

@@ -32,17 +32,6 @@ struct MtJobRequest
     std::filesystem::path output;    ///< of mt-join
 };
 
-/// What the command line of mt-bench asks for.
-struct MtBenchRequest
-{
-    std::vector<std::size_t> points{10'000, 50'000, 100'000, 250'000, 500'000};
-    std::string distribution;     ///< one alone; empty: all four
-    std::filesystem::path folder; ///< for the files, which are removed again
-    double memoryMb = 0.0;        ///< 0: no limit
-    osgMultiTriangulation::core::ForestOptions options;
-    bool hasSweeps = false; ///< sweeps over the first number of points, instead of the cases
-};
-
 /// What the command line of mt-fly asks for.
 struct MtFlyRequest
 {
@@ -56,9 +45,6 @@ struct MtFlyRequest
 
 /// Flies over a .mt file in real time, 60 frames a second, without drawing: measures how long frames wait, and checks surfaces for holes.
 foundation::Result<terminal::Report> flyMt(const MtFlyRequest& request);
-
-/// Builds made-up points of four distributions, and fits how time and borders grow with their number.
-foundation::Result<terminal::Report> benchMt(const MtBenchRequest& request);
 
 /// Builds a split multi-triangulation from elevation rasters, from files of points (.csv, .xyz, .txt), or from a file of triangles (.obj, .ply,
 /// .terrain).
