@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // pmtool: inspects, cleans and simplifies models.
 #include "pmtool/Commands.h"
+#include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
+#include "terminal/MovedCommand.h"
 
 namespace
 {
 
+constexpr terminal::MovedCommand kMoved[] = {{"compare", "compare_objects"},
+                                             {"support", "compare_objects support"}};
+
 int run(int argc, char** argv)
 {
+    if (const auto ends = terminal::answerMoved("pmtool", kMoved, argc, argv)) return *ends;
     CLI::App app("Inspects, cleans and simplifies models of objects.", "pmtool");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
     app.require_subcommand(1);

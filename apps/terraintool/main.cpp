@@ -2,14 +2,19 @@
 // terraintool: inspects elevation files and checks the terrain that the ROAM engine draws from them.
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
+#include "terminal/MovedCommand.h"
 #include "terraintool/RunCommand.h"
 #include "terraintool/mt/AddMtCommands.h"
 
 namespace
 {
 
+constexpr terminal::MovedCommand kMoved[] = {
+    {"compare", "compare_terrain methods"}, {"bench", "compare_terrain drivers"}, {"mt-bench", "mt_bench"}};
+
 int run(int argc, char** argv)
 {
+    if (const auto ends = terminal::answerMoved("terraintool", kMoved, argc, argv)) return *ends;
     CLI::App app("Inspects elevation files and validates the terrain drawn from them.", "terraintool");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
     app.require_subcommand(1);
