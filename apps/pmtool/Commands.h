@@ -6,9 +6,13 @@
 
 #include <foundation/Result.h>
 
-#include "terminal/CommandLine.h"
 #include "terminal/Places.h"
 #include "terminal/Report.h"
+
+namespace CLI
+{
+class App;
+}
 
 // docs/reference/json-tables.md has the layout of every table.
 namespace pmtool

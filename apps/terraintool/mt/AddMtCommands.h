@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "terminal/CommandLine.h"
 #include "terraintool/RunCommand.h"
 #include "terraintool/mt/MtRequest.h"
+
+namespace CLI
+{
+class App;
+}
 
 namespace terraintool
 {

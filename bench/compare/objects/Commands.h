@@ -2,21 +2,13 @@
 #pragma once
 
 #include "pmtool/Commands.h"
-#include "pmtool/Models.h"
 
 // docs/reference/json-tables.md has the layout of every table.
 namespace pmtool
 {
 
+/// Errors of the commands begin with this name.
 inline constexpr const char* kComparer = "compare_objects";
-
-/// Calls `work` for each file, as forEachModel() does; errors are those of compare_objects.
-inline foundation::Result<terminal::Report> measureEachModel(
-    const std::vector<std::string>& files,
-    const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work)
-{
-    return forEachModel(files, work, kComparer);
-}
 
 /// Declares `order`: measures every order of triangles on every model.
 void addCompareOrder(CLI::App& app, Chosen& chosen);

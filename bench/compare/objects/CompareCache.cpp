@@ -93,8 +93,9 @@ void addCompareCache(CLI::App& app, Chosen& chosen)
         {
             chosen.work = [request]
             {
-                return measureEachModel(request->models.files, [&](const std::string& file)
-                                        { return compareModel(file, *request); });
+                return forEachModel(
+                    request->models.files,
+                    [&](const std::string& file) { return compareModel(file, *request); }, kComparer);
             };
         });
 }

@@ -112,8 +112,10 @@ foundation::Result<terminal::Report> compareModelOrders(const OrderRequest& requ
         return foundation::Error{request.dumpFolder.string(), "cannot be made: " + failed.message(),
                                  "name another folder"};
     std::size_t number = 0; // files of the same name in different folders have dumps of their own
-    return measureEachModel(request.models.files, [&](const std::string& file)
-                            { return compareModel(file, std::to_string(number++), request); });
+    return forEachModel(
+        request.models.files,
+        [&](const std::string& file) { return compareModel(file, std::to_string(number++), request); },
+        kComparer);
 }
 
 } // namespace

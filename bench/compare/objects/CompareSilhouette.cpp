@@ -197,8 +197,9 @@ foundation::Result<terminal::Report> compareSilhouettes(SilhouetteRequest reques
     if (!request.imageFolder.empty())
         if (const auto made = makeFolder(request.imageFolder); !made) return made.error();
     OutputNames names;
-    return measureEachModel(request.models.files, [&](const std::string& file)
-                            { return compareModelImages(file, request, names); });
+    return forEachModel(
+        request.models.files,
+        [&](const std::string& file) { return compareModelImages(file, request, names); }, kComparer);
 }
 
 std::vector<std::string> seamToolNames()

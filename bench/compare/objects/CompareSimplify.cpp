@@ -85,8 +85,9 @@ foundation::Result<terminal::Report> compareSimplifiers(const CompareRequest& re
     if (!request.dumpFolder.empty())
         if (const auto made = makeFolder(request.dumpFolder); !made) return made.error();
     OutputNames names;
-    return measureEachModel(request.models.files,
-                            [&](const std::string& file) { return compareModel(file, request, names); });
+    return forEachModel(
+        request.models.files, [&](const std::string& file) { return compareModel(file, request, names); },
+        kComparer);
 }
 
 /// Names of tools are parts of file names, too.

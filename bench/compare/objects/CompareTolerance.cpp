@@ -161,8 +161,10 @@ void addCompareTolerance(CLI::App& app, Chosen& chosen)
         {
             chosen.work = [request]
             {
-                auto report = measureEachModel(request->models.files, [&](const std::string& file)
-                                               { return compareModelTolerances(file, *request); });
+                auto report = forEachModel(
+                    request->models.files,
+                    [&](const std::string& file) { return compareModelTolerances(file, *request); },
+                    kComparer);
                 if (report) judge(*report, request->mostRatio);
                 return report;
             };

@@ -131,8 +131,9 @@ foundation::Result<terminal::Report> compareSupports(const SupportRequest& reque
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
     Findings findings;
-    auto report = measureEachModel(request.models.files,
-                                   [&](const std::string& file) { return study(request, findings, file); });
+    auto report = forEachModel(
+        request.models.files, [&](const std::string& file) { return study(request, findings, file); },
+        kComparer);
     if (!report) return report;
     Json& table = report->json;
     table["octreeDepth"] = request.depth;
