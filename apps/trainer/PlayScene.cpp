@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "DriveWay.h"
+#include "PlaceOnGround.h"
 #include "SceneRoads.h"
 #include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
@@ -135,6 +136,11 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     auto player = simulation::ScenarioPlayer::create(std::move(scenario), *stage);
     if (!player) return player.error();
     play.player = std::move(*player);
+    if (!request.scenario.empty() && request.frames.eye != EyePoint::free)
+        if (const auto placed =
+                checkPlaceOnGround(*play.player, play.watched, play.terrain, request.scenario.string());
+            !placed)
+            return placed.error();
     auto scenery = makeScenery(request.scenery, request.frames.durationS(), play.player->scenario(), *stage,
                                play.terrain);
     if (!scenery) return scenery.error();

@@ -27,8 +27,8 @@ struct PlayScene
     std::unique_ptr<scenery::SkyShadeNode> skyShade; ///< null: none
     std::size_t watched = 0;                         ///< the entity that the eye is in or looks at
 
-    /// `terrain`: from openScene(). Errors: a scenario without entities or with other faults, an entity to watch that there is not, terrain
-    /// settings, models and scenery that cannot be used.
+    /// `terrain`: from openScene(). Errors: a scenario without entities or with other faults, an entity to watch that there is not or that begins off the
+    /// ground (checkPlaceOnGround()), terrain settings, models and scenery that cannot be used.
     static foundation::Result<PlayScene> create(simulation::Scenario scenario, SceneTerrain terrain,
                                                 const PlayRequest& request,
                                                 const simulation::FixedClock& clock);

@@ -102,7 +102,12 @@ foundation::Outcome LentMotions::beginAll()
     for (std::size_t i = 0; i < _waiting.size(); ++i)
     {
         if (!_waiting[i].motion && (!_waiting[i].controller || !_source)) continue;
-        if (auto begun = begin(i, std::move(_waiting[i]), 0.0); !begun) return begun;
+        const bool isOfScenario = _waiting[i].controller.has_value();
+        const auto begun = begin(i, std::move(_waiting[i]), 0.0);
+        if (begun) continue;
+        foundation::Error error = begun.error();
+        if (isOfScenario) error.place = _place.scenario.entities[i].name + ", " + error.place;
+        return error;
     }
     return foundation::success();
 }
