@@ -164,7 +164,7 @@ private:
 
 foundation::Outcome checkDrive(const DriveRequest& request)
 {
-    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
+    if (const auto usable = checkBeforeRide(request); !usable) return usable;
     const auto vehicle = simulation::readRoadVehicle(request.vehicle);
     return vehicle ? foundation::success() : vehicle.error();
 }

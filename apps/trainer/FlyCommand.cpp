@@ -58,7 +58,7 @@ glm::dvec2 FlyRequest::windMps() const
 
 foundation::Outcome checkFlight(const FlyRequest& request)
 {
-    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
+    if (const auto usable = checkBeforeRide(request); !usable) return usable;
     if (!request.orders.empty())
         if (const auto orders = simulation::parseFlightOrders(request.orders, "--orders"); !orders)
             return orders.error();

@@ -6,6 +6,7 @@
 #include "input/DeviceFile.h"
 #include "input/KeyScript.h"
 #include "view/ViewFile.h"
+#include "window/OpenWindow.h"
 
 namespace trainer
 {
@@ -45,8 +46,16 @@ foundation::Outcome checkBeforePlay(const PlayRequest& request)
 {
     if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
     if (const auto sound = checkSmallFiles(request); !sound) return sound;
+    if (request.window.isWanted)
+        if (const auto display = checkDisplay(request.window); !display) return display;
     return request.terrain.file.empty() ? foundation::success()
                                         : checkScene(request.terrain.file, request.terrain);
+}
+
+foundation::Outcome checkBeforeRide(const RideRequest& request)
+{
+    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
+    return request.hasWindow() ? checkDisplay(request.play.window) : foundation::success();
 }
 
 } // namespace trainer

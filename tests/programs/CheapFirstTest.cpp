@@ -181,6 +181,22 @@ INSTANTIATE_TEST_SUITE_P(
                   {}}),
     [](const testing::TestParamInfo<WrongCall>& call) { return std::string(call.param.name); });
 
+TEST_F(CheapFirst, AWindowWithoutADisplayOpensNothing)
+{
+    OpenedFiles files(_place.path(""));
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"fly", "HEREdem.tif"},
+                                                    {"drive", "HEREroads.xodr"},
+                                                    {"tour", "HEREdem.tif", "--world-folder", "HEREworld"}})
+    {
+        std::vector<std::string> words{"env", "-u", "DISPLAY", kTrainer};
+        words.insert(words.end(), command.begin(), command.end());
+        words.push_back("--window");
+        EXPECT_TRUE(failsWith(run(words), 1, "trainer", {"--window", "there is no display"}));
+        EXPECT_FALSE(files.take().contains(command[1].substr(4))) << command[0];
+    }
+    EXPECT_FALSE(std::filesystem::exists(_place.path("world")));
+}
+
 /// The mutation: where nothing is wrong, the same files are opened, so the counts above can be other than none.
 TEST_F(CheapFirst, ARightCallOpensThem)
 {

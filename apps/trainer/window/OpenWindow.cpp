@@ -39,12 +39,19 @@ private:
     osg::NotifySeverity _level;
 };
 
-osg::ref_ptr<Traits> traitsOf(const WindowRequest& request, const FrameRequest& frames)
+/// What says on which screen a window is.
+osg::ref_ptr<Traits> screenOf(const WindowRequest& request)
 {
     osg::ref_ptr<Traits> traits = new Traits;
     traits->readDISPLAY();
     traits->setUndefinedScreenDetailsToDefaultScreen();
     if (request.screen > 0) traits->screenNum = request.screen;
+    return traits;
+}
+
+osg::ref_ptr<Traits> traitsOf(const WindowRequest& request, const FrameRequest& frames)
+{
+    osg::ref_ptr<Traits> traits = screenOf(request);
     const bool hasPlace = request.place.size() == 4;
     traits->x = hasPlace ? request.place[0] : kLeftPx;
     traits->y = hasPlace ? request.place[1] : kTopPx;
@@ -154,6 +161,12 @@ foundation::Outcome checkGl(const std::string& version)
 }
 
 } // namespace
+
+foundation::Outcome checkDisplay(const WindowRequest& request)
+{
+    const QuietNotices quiet;
+    return checkScreen(request, *screenOf(request));
+}
 
 foundation::Result<OpenedWindow> openWindow(const WindowRequest& request, const FrameRequest& frames)
 {

@@ -17,6 +17,9 @@ struct OpenedWindow
     bool drawsOnProcessor = false;
 };
 
+/// Tells whether there is the display, and the screen of it, that a window would be on. Errors: there is none.
+foundation::Outcome checkDisplay(const WindowRequest& request);
+
 /// Opens a window that OpenGL draws into; not current in any thread.
 /// Errors: no display, no such screen, no OpenGL for windows there, an OpenGL too old.
 foundation::Result<OpenedWindow> openWindow(const WindowRequest& request, const FrameRequest& frames);
