@@ -65,17 +65,30 @@ foundation::Result<fs::path> madeWorld(const fs::path& dem, const fs::path& fold
     return world;
 }
 
+/// The same in the cache of the user.
+foundation::Result<fs::path> madeInCache(const fs::path& dem)
+{
+    const fs::path cache = cacheFolder();
+    if (cache.empty())
+        return foundation::Error{"HOME", "is not set, so there is no cache for a world", kLeaveOut};
+    return madeWorld(dem, fs::absolute(cache / folderName(dem)));
+}
+
 } // namespace
 
 foundation::Result<fs::path> defaultWorld()
 {
-    const fs::path data = foundation::programFolder().parent_path() / "data",
-                   world = data / "world/world.roam";
+    const fs::path above = foundation::programFolder().parent_path(),
+                   installed = above / "share/osgtrainer/data", built = above / "data";
     std::error_code failed;
-    if (fs::exists(world, failed)) return world;
-    const fs::path dem = data / "default_terrain.tif";
-    if (fs::exists(dem, failed)) return madeWorld(dem, data / "world");
-    return foundation::Error{world.string(), "the default world is not there",
+    for (const fs::path& data : {installed, built})
+        if (const fs::path world = data / "world/world.roam"; fs::exists(world, failed)) return world;
+    if (const fs::path dem = built / "default_terrain.tif"; fs::exists(dem, failed))
+        return madeWorld(dem, built / "world");
+    // What is installed may be read alone.
+    if (const fs::path dem = installed / "default_terrain.tif"; fs::exists(dem, failed))
+        return madeInCache(dem);
+    return foundation::Error{(built / "world/world.roam").string(), "the default world is not there",
                              "build the target default_world, or " + std::string(kLeaveOut)};
 }
 
@@ -85,11 +98,8 @@ std::optional<fs::path> worldOver(const fs::path& dem, const fs::path& folder)
     const std::string suffix = dem.extension().string();
     if (suffix == ".roam" || suffix == ".xodr" || suffix == ".mt" || !fs::is_regular_file(dem, failed))
         return std::nullopt;
-    const fs::path place = fs::canonical(dem, failed), cache = cacheFolder();
-    const auto made =
-        folder.empty() && cache.empty()
-            ? foundation::Error{"HOME", "is not set, so there is no cache for a world", "give --world-folder"}
-            : madeWorld(place, fs::absolute(folder.empty() ? cache / folderName(place) : folder));
+    const fs::path place = fs::canonical(dem, failed);
+    const auto made = folder.empty() ? madeInCache(place) : madeWorld(place, fs::absolute(folder));
     if (made) return *made;
     std::cerr << "note: " << made.error().message() << "; the elevation is shown alone\n";
     return std::nullopt;
