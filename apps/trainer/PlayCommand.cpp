@@ -69,7 +69,9 @@ ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
 foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& request)
 {
     if (!request.output.statsFile.empty())
-        if (const auto written = writeStatistics(session.statistics(), request.output.statsFile); !written)
+        if (const auto written = writeStatistics(session.statistics(), request.terrain.opening->stages(),
+                                                 request.output.statsFile);
+            !written)
             return written;
     if (session.parts())
     {
@@ -105,6 +107,7 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
 foundation::Outcome play(const PlayRequest& request)
 {
     if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
+    if (!request.terrain.opening->stages().empty()) request.terrain.opening->restart();
     auto parsed =
         simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
     if (!parsed) return parsed.error();

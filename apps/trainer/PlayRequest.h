@@ -18,6 +18,7 @@
 #include <osgOffscreen/Backend>
 
 #include "hud/HudUnits.h"
+#include "view/OpeningClock.h"
 #include "view/Quality.h"
 
 namespace simulation
@@ -83,6 +84,7 @@ struct TerrainRequest
     bool morphing = false; ///< vertices move to their new position during several frames
     std::optional<int> patchExponent =
         0; ///< 2^k triangles a leaf; absent: measured to be the fastest on this machine
+    std::shared_ptr<OpeningClock> opening = std::make_shared<OpeningClock>(); ///< measures how long it takes
 };
 
 /// The frames: how many, of which size, through which camera.

@@ -141,21 +141,25 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
                 checkPlaceOnGround(*play.player, play.watched, play.terrain, request.scenario.string());
             !placed)
             return placed.error();
+    request.terrain.opening->end("scenario");
     auto scenery = makeScenery(request.scenery, request.frames.durationS(), play.player->scenario(), *stage,
                                play.terrain);
     if (!scenery) return scenery.error();
     play.scenery = *std::move(scenery);
+    request.terrain.opening->end("scenery");
     auto scene = ScenarioScene::create(play.player->scenario(), play.terrain, request.scenario.parent_path());
     if (!scene) return scene.error();
     play.scene = std::make_unique<ScenarioScene>(std::move(*scene));
     play.scene->bearLamps(play.watched);
     play.scene->setShadows(request.frames.hasShadows);
+    request.terrain.opening->end("entities");
     if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
     play.cover = makeCover(play.terrain);
     if (play.cover) play.scene->sunlit().addChild(play.cover->node());
     play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->hiders : nullptr);
     if (play.skyShade) play.scene->sunlit().addChild(play.skyShade->node());
     trainer::setQuality(play, request.frames.quality);
+    request.terrain.opening->end("cover");
     return play;
 }
 

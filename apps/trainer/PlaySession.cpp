@@ -67,6 +67,7 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(*play)));
     if (const auto opened = session->openPictures(*setup); !opened) return opened.error();
     session->beginLog();
+    request.terrain.opening->end("contexts");
     if (!request.sound.file.empty())
         session->_sound = std::make_unique<SoundTrack>(request.sound, session->_play.player->scenario(),
                                                        session->_play.watched, request.frames.perSecond);
@@ -183,6 +184,7 @@ foundation::Outcome PlaySession::frame()
     const auto end = std::chrono::steady_clock::now();
     _statistics.push_back(measured());
     _statistics.back().processorMs = measurement::processorMs() - usedMs;
+    if (_statistics.size() == 1) _request.terrain.opening->end("first picture");
     _statistics.back().wallMs = std::chrono::duration<double, std::milli>(end - begin).count();
     for (auto i = _play.player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
     {

@@ -56,7 +56,8 @@ makeThings(const osgTerrainROAM::RoamTerrain& terrain, const PlacedNetwork& road
 }
 
 /// Adds the buildings and objects of a description.
-foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerrain scene)
+foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerrain scene,
+                                         OpeningClock& opening)
 {
     if (description.buildings.empty() && description.objects.empty()) return scene;
     const osg::ref_ptr<osg::Group> group = new osg::Group;
@@ -67,12 +68,13 @@ foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerra
     for (const StandingPart& part : scene.standing)
         group->addChild(part.node);
     scene.node = group;
+    opening.end("map");
     return scene;
 }
 
 /// Adds the roads' surface and what stands beside them to a terrain, and tells what is wrong with their file.
 foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain,
-                                           const scenery::SceneRoads& roads)
+                                           const scenery::SceneRoads& roads, OpeningClock& opening)
 {
     for (const std::string& note : roads.notes)
         OSG_NOTICE << note << '\n';
@@ -87,12 +89,14 @@ foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerr
     auto things = makeThings(*terrain, *roads.placed);
     if (!things) return things.error();
     scene->addChild((*things)->node());
+    opening.end("roads");
     return SceneTerrain{scene, terrain, roads.placed, std::move(*things)};
 }
 
 foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const std::shared_ptr<RoamTile>& tile,
                                            const scenery::SceneRoads& roads,
-                                           const std::vector<osgTerrainROAM::core::GroundFeature>& painted)
+                                           const std::vector<osgTerrainROAM::core::GroundFeature>& painted,
+                                           OpeningClock& opening)
 {
     auto terrain = osgTerrainROAM::makeTerrain(description, tile,
                                                {painted, scenery::farRoads(*roads.placed), kRibbonsFromM});
@@ -100,7 +104,8 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
     if (!openings) return openings.error();
     (*terrain)->material()->setOpenings(*openings);
-    return withRoads(*terrain, roads);
+    opening.end("land");
+    return withRoads(*terrain, roads, opening);
 }
 
 /// Returns the land cover of ground that is made up for a network: meadow. Nothing is planted on it, so it shows no wood either.
@@ -146,16 +151,18 @@ simulation::GroundProvider groundWithRoads(simulation::GroundProvider ground,
     };
 }
 
-foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked,
-                                                      const std::optional<StripRequest>& strip)
+foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked, const TerrainRequest& request)
 {
     RoamFile description = asked;
+    const std::optional<StripRequest>& strip = request.strip;
+    OpeningClock& opening = *request.opening;
     if (strip && !description.finestSpacingM) description.finestSpacingM = kStripSpacingM;
     if (description.roads.empty() && !strip)
     {
         auto terrain = osgTerrainROAM::makeTerrain(description);
         if (!terrain) return terrain.error();
-        return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr});
+        opening.end("land");
+        return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr}, opening);
     }
     const auto loaded = scenery::loadRoadTile(description);
     if (!loaded) return loaded.error();
@@ -167,14 +174,16 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked,
         if (!runway) return runway.error();
         painted.push_back(*runway);
     }
+    opening.end("ground");
     if (roads.placed)
     {
-        auto scene = makeScene(description, tile, roads, painted);
-        return scene ? withMap(description, *std::move(scene)) : scene;
+        auto scene = makeScene(description, tile, roads, painted, opening);
+        return scene ? withMap(description, *std::move(scene), opening) : scene;
     }
     auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), {}});
     if (!terrain) return terrain.error();
-    return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr});
+    opening.end("land");
+    return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr}, opening);
 }
 
 foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, const TerrainRequest& request)
@@ -192,7 +201,7 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
         osgTerrainROAM::core::PlacedTile(std::move(ground->field), std::move(options)));
     osgTerrainROAM::core::TileEditor editor(tile);
     if (const auto cut = scenery::cutRoads(editor, *ground->roads.placed); !cut) return cut.error();
-    auto scene = makeScene(description, tile, ground->roads, {});
+    auto scene = makeScene(description, tile, ground->roads, {}, *request.opening);
     if (scene) scene->terrain->material()->setCover(meadow());
     return scene && request.inRoadsFrame ? moved(std::move(*scene), ground->cornerM) : scene;
 }

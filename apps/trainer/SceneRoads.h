@@ -18,10 +18,10 @@ simulation::GroundProvider groundWithRoads(simulation::GroundProvider ground,
                                            std::shared_ptr<const osgRoads::core::PlacedNetwork> roads);
 
 /// Makes the terrain that a .roam file describes with the roads that it names, if any: the ground is cut to them, they are painted on it for
-/// far eyes, and drawn. Problems of the network are told through osg::notify(NOTICE). A strip is laid after the
-/// roads. Errors: as makeTerrain(), scenery::layRoads() and layStrip().
+/// far eyes, and drawn. Problems of the network are told through osg::notify(NOTICE). The strip of the request is laid
+/// after the roads. Errors: as makeTerrain(), scenery::layRoads() and layStrip().
 foundation::Result<SceneTerrain> makeTerrainWithRoads(const osgTerrainROAM::core::RoamFile& description,
-                                                      const std::optional<StripRequest>& strip = {});
+                                                      const TerrainRequest& request);
 
 /// Opens an OpenDRIVE network as a scene of its own: roads on made ground (scenery::makeRoadGround(), whose errors it returns).
 foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file,

@@ -109,18 +109,20 @@ foundation::Outcome checkScene(const std::filesystem::path& file, const TerrainR
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
                                                const TerrainRequest& request)
 {
+    request.opening->end("program");
     const terminal::Progress progress("trainer: opens " + file.string(), 0);
     if (osgDB::getLowerCaseFileExtension(file.string()) == "xodr") return openNetwork(file, request);
     if (osgDB::getLowerCaseFileExtension(file.string()) == "mt") return openTriangulation(file);
     auto description = osgTerrainROAM::core::describeTerrain(file, request.import);
     if (!description) return description.error();
     description->showsVoids = description->showsVoids || request.showsVoids;
-    auto scene = makeTerrainWithRoads(*description, request.strip);
+    auto scene = makeTerrainWithRoads(*description, request);
     if (!scene) return scene;
     auto runways = sceneRunways(*description, scene->terrain->tile()->tile);
     if (!runways) return runways.error();
     scene->runways = *std::move(runways);
     if (const auto added = addStructures(*description, *scene); !added) return added.error();
+    request.opening->end("structures");
     if (description->land.seaLevelM)
     {
         const auto& frame = scene->terrain->tile()->tile.frame();

@@ -52,9 +52,19 @@ Json frameObject(const FrameStatistics& frame, const std::vector<StatisticsColum
     return object;
 }
 
+Json openingArray(const std::vector<OpeningStage>& opening)
+{
+    Json rows = Json::array();
+    for (const OpeningStage& stage : opening)
+        rows.push_back(
+            {{"stage", std::string(stage.name)}, {"wallS", stage.wallS}, {"processorS", stage.processorS}});
+    return rows;
+}
+
 } // namespace
 
-std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings)
+std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings,
+                           const std::vector<OpeningStage>& opening)
 {
     Json root = {{"frames", Json::array()}, {"summary", {{"frames", frames.size()}}}};
     const std::vector<StatisticsColumn>& columns = statisticsColumns(frames);
@@ -69,13 +79,15 @@ std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool with
                                                      {"p99", summary.p99},
                                                      {"max", summary.largest}};
     }
+    if (withTimings && !opening.empty()) root["opening"] = openingArray(opening);
     return root.dump(1) + "\n";
 }
 
 foundation::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
+                                    const std::vector<OpeningStage>& opening,
                                     const std::filesystem::path& file)
 {
-    return foundation::writeWholeFile(file, statisticsJson(frames));
+    return foundation::writeWholeFile(file, statisticsJson(frames, true, opening));
 }
 
 } // namespace trainer

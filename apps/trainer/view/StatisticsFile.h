@@ -8,6 +8,7 @@
 #include <foundation/Result.h>
 
 #include "view/FrameStatistics.h"
+#include "view/OpeningClock.h"
 
 namespace trainer
 {
@@ -19,11 +20,14 @@ namespace trainer
 ///  frames behind the first.
 /// With a scenery each frame has, besides, "objectsVisible", "objectsDrawn", "objectsSwitching", "objectTriangles", "objectCullMs" and
 /// "objectMethods": {METHOD: {"objects", "switched", "clamped", "fullArea", "faded", "gone", "triangles"}, …} of those in sight.
-/// `withTimings` false leaves the measured columns out: two runs then give the same bytes.
-std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings = true);
+/// With stages of the opening, there is "opening": [{"stage", "wallS", "processorS"}, …], in their order.
+/// `withTimings` false leaves the measured columns and the stages out: two runs then give the same bytes.
+std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings = true,
+                           const std::vector<OpeningStage>& opening = {});
 
 /// Writes statisticsJson() to a file. Errors: the file cannot be written; no partial file remains.
 foundation::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
+                                    const std::vector<OpeningStage>& opening,
                                     const std::filesystem::path& file);
 
 } // namespace trainer

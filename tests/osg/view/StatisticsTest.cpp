@@ -59,6 +59,24 @@ TEST(Statistics, OneSlowFrameIsSeenByTheNinetyNinthOfFewFramesOnly)
     EXPECT_EQ(summaryOf(values).p99, 50.0);
 }
 
+TEST(Statistics, JsonHasTheStagesOfTheOpening)
+{
+    trainer::OpeningClock clock;
+    clock.end("ground");
+    clock.end("first picture");
+    const auto frames = someFrames(2);
+    const auto json = nlohmann::json::parse(trainer::statisticsJson(frames, true, clock.stages()));
+    ASSERT_EQ(json["opening"].size(), 2U);
+    EXPECT_EQ(json["opening"][0]["stage"], "ground");
+    EXPECT_EQ(json["opening"][1]["stage"], "first picture");
+    for (const auto& stage : json["opening"])
+        for (const char* key : {"wallS", "processorS"})
+            EXPECT_GE(stage[key].get<double>(), 0.0) << key;
+    EXPECT_EQ(trainer::statisticsJson(frames, false, clock.stages()),
+              trainer::statisticsJson(frames, false)); // times are not the same in two runs
+    EXPECT_FALSE(nlohmann::json::parse(trainer::statisticsJson(frames)).contains("opening"));
+}
+
 TEST(Statistics, JsonHasEveryKeyOfEveryFrame)
 {
     const auto json = nlohmann::json::parse(trainer::statisticsJson(someFrames(5)));
@@ -133,7 +151,7 @@ TEST(Statistics, HasObjectsAndMethodsWhereThereAreSome)
 
 TEST(Statistics, AFileThatCannotBeWrittenIsAnError)
 {
-    const auto written = trainer::writeStatistics(someFrames(2), "/no/such/folder/stats.json");
+    const auto written = trainer::writeStatistics(someFrames(2), {}, "/no/such/folder/stats.json");
     ASSERT_FALSE(written);
     EXPECT_THAT(written.error().message(), testing::HasSubstr("/no/such/folder/stats.json"));
 }
