@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include <foundation/CacheFolder.h>
 #include <foundation/DataFile.h>
 
 #include "RunProgram.h"
@@ -31,15 +31,6 @@ std::string folderName(const fs::path& dem)
     char digits[20];
     std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(sum));
     return dem.stem().string() + '-' + digits;
-}
-
-/// Where worlds of the user are kept; empty where the environment names no place.
-fs::path cacheFolder()
-{
-    const char* const cache = std::getenv("XDG_CACHE_HOME");
-    if (cache && *cache) return fs::path(cache) / "osgTrainer/worlds";
-    const char* const home = std::getenv("HOME");
-    return home && *home ? fs::path(home) / ".cache/osgTrainer/worlds" : fs::path();
 }
 
 /// Makes a world, or finds it made. One program at a time does that in a folder.
@@ -68,10 +59,10 @@ foundation::Result<fs::path> madeWorld(const fs::path& dem, const fs::path& fold
 /// The same in the cache of the user.
 foundation::Result<fs::path> madeInCache(const fs::path& dem)
 {
-    const fs::path cache = cacheFolder();
+    const fs::path cache = foundation::cacheFolder();
     if (cache.empty())
         return foundation::Error{"HOME", "is not set, so there is no cache for a world", kLeaveOut};
-    return madeWorld(dem, fs::absolute(cache / folderName(dem)));
+    return madeWorld(dem, fs::absolute(cache / "worlds" / folderName(dem)));
 }
 
 } // namespace

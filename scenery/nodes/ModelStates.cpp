@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include <foundation/KeptResults.h>
+
 #include <osg/AlphaFunc>
 #include <osg/CullFace>
 #include <osg/Image>
@@ -11,7 +13,7 @@
 #include <osgPMObjects/ExportNode>
 
 #include "scenery/models/paint/MipChain.h"
-#include "scenery/models/paint/Paint.h"
+#include "scenery/nodes/KeptPaintings.h"
 #include "scenery/nodes/ObjectShading.h"
 
 namespace scenery
@@ -63,7 +65,8 @@ osg::ref_ptr<osg::Texture2D> ModelStates::textureOf(models::Painting painting, b
 {
     osg::ref_ptr<osg::Texture2D>& texture = _textures[static_cast<std::size_t>(painting)];
     if (texture) return texture;
-    texture = new osg::Texture2D(imageOf(models::mipChain(models::paint(painting), isFoliage)));
+    texture =
+        new osg::Texture2D(imageOf(paintedChain(painting, isFoliage, foundation::KeptResults::ofUser())));
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     const auto wrap = isFoliage ? osg::Texture::CLAMP_TO_EDGE : osg::Texture::REPEAT;

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/ProgressiveModel.h"
 
+#include <optional>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include <foundation/ForEachAtOnce.h>
+#include <foundation/KeptResults.h>
 
 #include <osg/Matrixd>
 #include <osg/Texture>
 
+#include <osgPMObjects/core/progressive/PmFile.h>
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
@@ -18,13 +23,69 @@ namespace scenery
 
 namespace core = osgPMObjects::core;
 
-core::ProgressiveMesh progressiveOf(core::Mesh mesh)
+namespace
+{
+
+/// Everything that levels follow from.
+foundation::ContentMark markOf(const core::Mesh& mesh)
+{
+    foundation::ContentMark mark;
+    mark.add(mesh.positions).add(mesh.wedgePositions).add(mesh.normals).add(mesh.colours).add(mesh.faces);
+    for (const auto& coordinates : mesh.texCoords)
+        mark.add(coordinates);
+    for (const core::Material& material : mesh.materials)
+    {
+        mark.add(material.name).addWord(material.state).addWord(material.attributes).addWord(material.unseen);
+        mark.addWord((material.isTwoSided ? 1U : 0U) + (material.litFromBothSides ? 2U : 0U) +
+                     (material.isTransparent ? 4U : 0U));
+    }
+    for (const core::Part& part : mesh.parts)
+        mark.add(part.name);
+    return mark;
+}
+
+/// Absent: they are not what pmBytes() wrote.
+std::optional<core::ProgressiveMesh> levelsIn(const std::string& bytes)
+{
+    std::istringstream stream(bytes);
+    core::PmReader reader(stream, "kept levels");
+    while (true)
+    {
+        const auto more = reader.readMore();
+        if (!more) return std::nullopt;
+        if (*more) continue;
+        auto levels = reader.mesh();
+        return levels ? std::optional(*std::move(levels)) : std::nullopt;
+    }
+}
+
+core::ProgressiveMesh madeLevels(core::Mesh mesh)
 {
     core::makeSimplifiable(mesh);
     const core::CollapseSequence sequence = core::simplify(mesh);
     core::ArrangementSettings settings;
     settings.arrangement = core::Arrangement::plain; // fields have index lists of their own
     return core::buildProgressiveMesh(mesh, sequence, settings);
+}
+
+} // namespace
+
+core::ProgressiveMesh progressiveOf(core::Mesh mesh, const foundation::KeptResults& kept)
+{
+    constexpr const char* kName = "levels";
+    const foundation::ContentMark mark = markOf(mesh);
+    if (const auto bytes = kept.find(kName, mark))
+        if (auto levels = levelsIn(*bytes)) return *std::move(levels);
+    core::ProgressiveMesh made = madeLevels(std::move(mesh));
+    core::PmSettings whole;
+    whole.stepSections = 1;
+    kept.keep(kName, mark, core::pmBytes(made, whole));
+    return made;
+}
+
+core::ProgressiveMesh progressiveOf(core::Mesh mesh)
+{
+    return progressiveOf(std::move(mesh), foundation::KeptResults::ofUser());
 }
 
 namespace

@@ -11,10 +11,19 @@
 
 #include "scenery/models/Model.h"
 
+namespace foundation
+{
+class KeptResults;
+}
+
 namespace scenery
 {
 
-/// Simplifies a mesh and arranges it for a field.
+/// Simplifies a mesh and arranges it for a field, or finds the same levels among the kept ones.
+osgPMObjects::core::ProgressiveMesh progressiveOf(osgPMObjects::core::Mesh mesh,
+                                                  const foundation::KeptResults& kept);
+
+/// The same with those of the user.
 osgPMObjects::core::ProgressiveMesh progressiveOf(osgPMObjects::core::Mesh mesh);
 
 /// Makes generated models progressive, in their order, several at once. They share their textures.

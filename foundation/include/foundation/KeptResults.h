@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include <foundation/CacheFolder.h>
+#include <foundation/ContentMark.h>
+#include <foundation/ProgramMark.h>
+#include <foundation/WholeFile.h>
+#include <foundation/WholeText.h>
+#include <unistd.h>
+
+namespace foundation
+{
+
+/// Results of long computations, kept in a folder, each in a file of its own that is named by a mark of what it follows from: the program and its
+/// libraries, and the computation's inputs. So a result is found only where computing it again would give the same bytes.
+/// A file that is missing, cut off or damaged is no result; keeping the result anew replaces it. What cannot be written is not kept, which is no error.
+/// Memory: a folder holds up to `mostBytes`, and one file a quarter of that; what was not asked for the longest time is removed first.
+/// Threads: any number, in any number of processes.
+class KeptResults
+{
+public:
+    static constexpr std::uintmax_t kMostBytes = std::uintmax_t{512} << 20;
+
+    /// Keeps nothing and finds nothing.
+    KeptResults() = default;
+
+    /// `program`: of those that make the results; absent: nothing is kept.
+    explicit KeptResults(std::filesystem::path folder,
+                         const std::optional<ContentMark>& program = ProgramMark::ofThis(),
+                         std::uintmax_t mostBytes = kMostBytes)
+        : _folder(program ? std::move(folder) : std::filesystem::path()),
+          _program(program.value_or(ContentMark())),
+          _mostBytes(mostBytes)
+    {
+    }
+
+    /// Those of the user who runs the program: "made" in cacheFolder().
+    static KeptResults ofUser()
+    {
+        const std::filesystem::path cache = cacheFolder();
+        return cache.empty() ? KeptResults() : KeptResults(cache / "made");
+    }
+
+    /// Returns the bytes kept under a name and a mark of the inputs.
+    std::optional<std::string> find(std::string_view name, const ContentMark& inputs) const
+    {
+        if (_folder.empty()) return std::nullopt;
+        const std::filesystem::path file = fileOf(name, inputs);
+        std::error_code failed;
+        if (!std::filesystem::is_regular_file(file, failed)) return std::nullopt;
+        auto text = readWholeText(file, _mostBytes);
+        if (!text || text->size() < kHeadBytes) return std::nullopt;
+        std::string bytes = text->substr(kHeadBytes);
+        if (std::string_view(*text).substr(0, kHeadBytes) != headOf(bytes)) return std::nullopt;
+        std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), failed);
+        return bytes;
+    }
+
+    void keep(std::string_view name, const ContentMark& inputs, std::string_view bytes) const
+    {
+        if (_folder.empty() || bytes.size() > _mostBytes / 4) return;
+        std::error_code failed;
+        std::filesystem::create_directories(_folder, failed);
+        if (failed) return;
+        // Others may write the same result at once.
+        const std::string ending = '.' + std::to_string(getpid()) + '-' +
+                                   std::to_string(std::hash<std::thread::id>{}(std::this_thread::get_id())) +
+                                   ".part";
+        std::string text = headOf(bytes);
+        text += bytes;
+        (void)writeWholeFile(fileOf(name, inputs), text, ending); // one that cannot be kept is made again
+        removeOldest();
+    }
+
+private:
+    static constexpr std::string_view kMagic = "osgTrainer kept 1\n";
+    static constexpr std::size_t kHeadBytes = kMagic.size() + 33;
+
+    struct Kept
+    {
+        std::filesystem::file_time_type used;
+        std::uintmax_t bytes;
+        std::filesystem::path file;
+    };
+
+    /// The mark of the contents tells damage.
+    static std::string headOf(std::string_view bytes)
+    {
+        return std::string(kMagic) + ContentMark().add(bytes).text() + '\n';
+    }
+
+    std::filesystem::path fileOf(std::string_view name, ContentMark inputs) const
+    {
+        return _folder / (std::string(name) + '-' + inputs.add(_program.text()).text());
+    }
+
+    void removeOldest() const
+    {
+        std::vector<Kept> all;
+        std::uintmax_t bytes = 0;
+        std::error_code failed;
+        for (const auto& entry : std::filesystem::directory_iterator(_folder, failed))
+        {
+            const std::uintmax_t size = entry.file_size(failed);
+            if (failed) continue;
+            all.push_back({entry.last_write_time(failed), size, entry.path()});
+            bytes += size;
+        }
+        if (bytes <= _mostBytes) return;
+        std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
+        for (const Kept& kept : all)
+        {
+            if (bytes <= _mostBytes) return;
+            if (std::filesystem::remove(kept.file, failed)) bytes -= kept.bytes;
+        }
+    }
+
+    std::filesystem::path _folder;
+    ContentMark _program;
+    std::uintmax_t _mostBytes = kMostBytes;
+};
+
+} // namespace foundation

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <foundation/KeptResults.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <osgPMObjects/core/progressive/PmFile.h>
+
+#include "TestFolder.h"
+#include "scenery/models/Catalogue.h"
+#include "scenery/models/paint/MipChain.h"
+#include "scenery/models/paint/Paint.h"
+#include "scenery/nodes/KeptPaintings.h"
+#include "scenery/nodes/ProgressiveModel.h"
+#include "scenery/nodes/SceneryShapes.h"
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using foundation::KeptResults;
+using scenery::models::Kind;
+using scenery::models::Painting;
+
+std::string levelsOf(const KeptResults& kept)
+{
+    return osgPMObjects::core::pmBytes(
+        scenery::progressiveOf(scenery::models::generate(Kind::barn, 3).mesh, kept));
+}
+
+/// Which file each name stands for: one that was written anew is another.
+std::map<std::string, ino_t> filesIn(const fs::path& folder)
+{
+    std::map<std::string, ino_t> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+    {
+        struct stat about
+        {
+        };
+        EXPECT_EQ(stat(entry.path().c_str(), &about), 0);
+        files[entry.path().filename()] = about.st_ino;
+    }
+    return files;
+}
+
+/// Leaves the head of each file right for contents that are not.
+void writeNonsense(const fs::path& folder)
+{
+    for (const auto& entry : fs::directory_iterator(folder))
+    {
+        if (!entry.is_regular_file()) continue;
+        const std::string whole = testsupport::bytesOf(entry.path());
+        const std::size_t head = whole.find('\n', whole.find('\n') + 1) + 1;
+        const std::string bytes = whole.substr(head, (whole.size() - head) / 2);
+        const std::string text = whole.substr(0, whole.find('\n') + 1) +
+                                 foundation::ContentMark().add(bytes).text() + '\n' + bytes;
+        std::ofstream(entry.path(), std::ios::binary) << text;
+    }
+}
+
+/// Sets where the user's cache is, for the time of a test.
+class UserCache
+{
+public:
+    explicit UserCache(const fs::path& folder)
+    {
+        if (const char* const before = std::getenv(kName)) _before = before;
+        setenv(kName, folder.c_str(), 1);
+    }
+    ~UserCache() { _before ? setenv(kName, _before->c_str(), 1) : unsetenv(kName); }
+    UserCache(const UserCache&) = delete;
+    UserCache& operator=(const UserCache&) = delete;
+
+private:
+    static constexpr const char* kName = "XDG_CACHE_HOME";
+    std::optional<std::string> _before;
+};
+
+} // namespace
+
+TEST(KeptModels, LevelsAreThoseThatWouldBeMade)
+{
+    const testsupport::TestFolder folder("kept-levels");
+    const KeptResults kept(folder / "made");
+    const std::string made = levelsOf(KeptResults());
+    EXPECT_EQ(levelsOf(kept), made);
+    const auto files = filesIn(folder / "made");
+    ASSERT_EQ(files.size(), 1U);
+    EXPECT_EQ(levelsOf(kept), made);
+    EXPECT_EQ(filesIn(folder / "made"), files); // found, not made
+}
+
+TEST(KeptModels, NonsenseOfTheRightCheckSumIsMadeAnew)
+{
+    const testsupport::TestFolder folder("kept-nonsense");
+    const KeptResults kept(folder / "made");
+    const std::string levels = levelsOf(kept);
+    const auto chain = scenery::paintedChain(Painting::plaster, false, kept);
+    writeNonsense(folder / "made");
+    const auto files = filesIn(folder / "made");
+    EXPECT_EQ(levelsOf(kept), levels);
+    EXPECT_EQ(scenery::paintedChain(Painting::plaster, false, kept), chain);
+    for (const auto& [name, file] : filesIn(folder / "made"))
+        EXPECT_NE(file, files.at(name)) << name;
+}
+
+TEST(KeptModels, PaintingsAreThoseThatWouldBePainted)
+{
+    const testsupport::TestFolder folder("kept-paintings");
+    const KeptResults kept(folder / "made");
+    for (const bool isFoliage : {false, true})
+    {
+        const auto painted =
+            scenery::models::mipChain(scenery::models::paint(Painting::oakLeaves), isFoliage);
+        EXPECT_EQ(scenery::paintedChain(Painting::oakLeaves, isFoliage, kept), painted);
+        const auto files = filesIn(folder / "made");
+        EXPECT_EQ(scenery::paintedChain(Painting::oakLeaves, isFoliage, kept), painted);
+        EXPECT_EQ(filesIn(folder / "made"), files);
+    }
+    EXPECT_EQ(filesIn(folder / "made").size(), 2U);
+}
+
+TEST(KeptModels, ASceneryThatWasOpenedBeforeMakesAndPaintsNothing)
+{
+    const testsupport::TestFolder folder("kept-scenery");
+    const UserCache cache(folder / "cache");
+    const std::vector<scenery::SceneryObject> objects{{Kind::barn, 1, {}}, {Kind::bush, 2, {}}};
+    const auto first = scenery::makeSceneryShapes(objects);
+    ASSERT_TRUE(first);
+    const fs::path made = folder / "cache/osgTrainer/made";
+    const auto files = filesIn(made);
+    EXPECT_GE(files.size(), 4U); // levels of two, and what they are painted with
+    const auto second = scenery::makeSceneryShapes(objects);
+    ASSERT_TRUE(second);
+    EXPECT_EQ(filesIn(made), files);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        EXPECT_EQ(osgPMObjects::core::pmBytes(second->shapes[i]->progressive()),
+                  osgPMObjects::core::pmBytes(first->shapes[i]->progressive()));
+    // What is missing alone is made.
+    fs::remove(made / files.begin()->first);
+    ASSERT_TRUE(scenery::makeSceneryShapes(objects));
+    std::size_t written = 0;
+    for (const auto& [name, file] : filesIn(made))
+        written += file != files.at(name) ? 1U : 0U;
+    EXPECT_EQ(filesIn(made).size(), files.size());
+    EXPECT_LE(written, 1U); // the number of a file that is gone may be given again
+}
