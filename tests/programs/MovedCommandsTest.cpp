@@ -13,6 +13,11 @@ struct Moved
     std::string placeName;           ///< as the line tells it
 };
 
+std::string nameOfMoved(const testing::TestParamInfo<Moved>& info)
+{
+    return info.param.testName;
+}
+
 class MovedCommands : public testing::TestWithParam<Moved>
 {
 };
@@ -67,7 +72,6 @@ INSTANTIATE_TEST_SUITE_P(All, MovedCommands,
                                                "support",
                                                {OSGTRAINER_COMPARE_OBJECTS, "support"},
                                                "compare_objects support"}),
-                         [](const testing::TestParamInfo<Moved>& info)
-                         { return std::string(info.param.testName); });
+                         nameOfMoved);
 
 } // namespace
