@@ -32,7 +32,7 @@ std::map<std::string, std::string> bytesIn(const std::filesystem::path& folder);
 /// A hash of all bytes of a file: a difference is told in one line.
 std::size_t hashOf(const std::filesystem::path& file);
 
-/// Statistics without the columns that a clock fills.
+/// Statistics without what a clock fills: columns of the frames, and the stages of the opening.
 nlohmann::json withoutMeasured(nlohmann::json statistics);
 
 /// Colours that differ in a picture, and its size.
