@@ -59,7 +59,10 @@ TEST_F(Results, StatisticsHaveTheKeysThatWereAgreed)
 {
     play("frames", {"--fps", "10", "--frames", "3"});
     const auto root = nlohmann::ordered_json::parse(readBytes(_place.path("frames.json")));
-    EXPECT_EQ(keysOf(root), (Keys{"frames", "summary"}));
+    EXPECT_EQ(keysOf(root), (Keys{"frames", "summary", "opening"}));
+    ASSERT_FALSE(root["opening"].empty());
+    EXPECT_EQ(root["opening"].back()["stage"], "first picture");
+    EXPECT_GT(root["opening"].back()["processorS"], 0.0);
     ASSERT_EQ(root["frames"].size(), 3U);
     const Keys columns{"triangles",  "splits", "merges",      "adaptUs",     "cullMs",    "drawMs",
                        "maxErrorPx", "wallMs", "processorMs", "uploadBytes", "residentMb"};
