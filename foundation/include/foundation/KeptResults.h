@@ -6,12 +6,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include <foundation/CacheFolder.h>
@@ -76,9 +74,7 @@ public:
         std::filesystem::create_directories(_folder, failed);
         if (failed) return;
         // Others may write the same result at once.
-        const std::string ending = '.' + std::to_string(getpid()) + '-' +
-                                   std::to_string(std::hash<std::thread::id>{}(std::this_thread::get_id())) +
-                                   ".part";
+        const std::string ending = '.' + std::to_string(getpid()) + '-' + std::to_string(gettid()) + ".part";
         std::string text = headOf(bytes);
         text += bytes;
         (void)writeWholeFile(fileOf(name, inputs), text, ending); // one that cannot be kept is made again
