@@ -15,6 +15,8 @@ function(osgtrainer_shaders target namespace)
             -P ${OSGTRAINER_EMBED_SHADERS}
         DEPENDS ${files} ${OSGTRAINER_EMBED_SHADERS}
         COMMENT "Embedding the shaders of ${target}" VERBATIM)
+    # A target that links nothing needs the files, too, so the command waits for no library: all that includes the header would wait with it.
+    add_custom_target(${target}_${namespace}_shaders DEPENDS ${output}.cpp ${output}.h)
     # Outside the unity files, so that a changed shader compiles this source alone.
     set_source_files_properties(${output}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     target_sources(${target} PRIVATE ${output}.cpp ${output}.h)
