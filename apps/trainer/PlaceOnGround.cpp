@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlaceOnGround.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <osgRoads/core/query/BoxTree.h>
 
 #include "ScenarioPlace.h"
 #include "SceneTerrain.h"
@@ -23,29 +21,12 @@ constexpr double kSightM = 20e3;
 /// Deeper than this no eye looks out of the ground; a wheel's contact in a coarse raster errs by less.
 constexpr double kBuriedM = 10.0;
 
-/// The box of the data in the plan. Frame: the scene's. Units: metres.
-struct GroundExtent
-{
-    glm::dvec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
-
-    void include(const glm::dvec2& place)
-    {
-        low = glm::min(low, place);
-        high = glm::max(high, place);
-    }
-
-    /// Returns how far a place is outside; 0 within.
-    double distanceM(const glm::dvec2& place) const
-    {
-        return glm::length(glm::max(glm::max(low - place, place - high), glm::dvec2(0.0)));
-    }
-};
-
-GroundExtent extentOf(const SceneTerrain& scene)
+/// Returns the box of the data in the plan. Frame: the scene's. Units: metres.
+osgRoads::core::PlanBox extentOf(const SceneTerrain& scene)
 {
     const auto& tile = scene.terrain->tile()->tile;
     const int lastColumn = tile.grid().dataColumns() - 1, lastRow = tile.grid().dataRows() - 1;
-    GroundExtent extent;
+    osgRoads::core::PlanBox extent;
     const auto include = [&](int column, int row)
     { extent.include(glm::dvec2(tile.position(column, row)) + scene.cornerM); };
     for (int row = 0; row <= lastRow; ++row)
@@ -99,15 +80,15 @@ foundation::Outcome checkPlaceOnGround(const simulation::ScenarioPlayer& player,
     const auto frame = frameOf(player.scenario(), terrain);
     const glm::dvec3& place = state.position;
     const std::string begins = state.name + " begins at " + placeText(frame, place) + ", ";
-    const GroundExtent extent = extentOf(terrain);
-    const double distanceM = extent.distanceM(place);
+    const osgRoads::core::PlanBox extent = extentOf(terrain);
+    const double distanceM = std::sqrt(extent.squareTo(place));
     const auto surface = ground(place.x, place.y, place.z);
     if (isAirborne ? distanceM > kSightM : !surface)
         return foundation::Error{
             scenario,
             begins + (distanceM > 0.0 ? lengthText(distanceM) + " from" : "in a gap of") +
-                " the ground, which reaches from " + placeText(frame, {extent.low, 0.0}) + " to " +
-                placeText(frame, {extent.high, 0.0}),
+                " the ground, which reaches from " + placeText(frame, {extent.least, 0.0}) + " to " +
+                placeText(frame, {extent.most, 0.0}),
             "give --terrain FILE of that place, or a scenario of this one"};
     if (surface && surface->heightM - place.z > kBuriedM)
         return foundation::Error{scenario,
