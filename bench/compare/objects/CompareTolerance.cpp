@@ -133,7 +133,7 @@ void judge(terminal::Report& report, double most)
         {
             if (most == 0.0 || result["ratio"].get<double>() <= most) continue;
             report.sound = false;
-            std::cerr << "compare_objects: " << model["model"].get<std::string>() << ": shows "
+            std::cerr << kComparer << ": " << model["model"].get<std::string>() << ": shows "
                       << result["ratio"].get<double>() << " times the fewest triangles, " << most
                       << " are allowed; measure a finer ladder\n";
         }
