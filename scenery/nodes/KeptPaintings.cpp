@@ -66,14 +66,11 @@ std::optional<std::vector<Picture>> chainIn(const std::string& bytes)
 std::vector<Picture> paintedChain(models::Painting painting, bool isFoliage,
                                   const foundation::KeptResults& kept)
 {
-    constexpr const char* kName = "painting";
     foundation::ContentMark mark;
     mark.addWord(static_cast<std::uint64_t>(painting)).addWord(isFoliage ? 1U : 0U);
-    if (const auto bytes = kept.find(kName, mark))
-        if (auto chain = chainIn(*bytes)) return *std::move(chain);
-    std::vector<Picture> made = models::mipChain(models::paint(painting), isFoliage);
-    kept.keep(kName, mark, bytesOfChain(made));
-    return made;
+    return kept.findOrMake(
+        "painting", mark, chainIn, [&] { return models::mipChain(models::paint(painting), isFoliage); },
+        bytesOfChain);
 }
 
 } // namespace scenery

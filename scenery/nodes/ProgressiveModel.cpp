@@ -72,15 +72,12 @@ core::ProgressiveMesh madeLevels(core::Mesh mesh)
 
 core::ProgressiveMesh progressiveOf(core::Mesh mesh, const foundation::KeptResults& kept)
 {
-    constexpr const char* kName = "levels";
-    const foundation::ContentMark mark = markOf(mesh);
-    if (const auto bytes = kept.find(kName, mark))
-        if (auto levels = levelsIn(*bytes)) return *std::move(levels);
-    core::ProgressiveMesh made = madeLevels(std::move(mesh));
     core::PmSettings whole;
     whole.stepSections = 1;
-    kept.keep(kName, mark, core::pmBytes(made, whole));
-    return made;
+    const foundation::ContentMark mark = markOf(mesh);
+    return kept.findOrMake(
+        "levels", mark, levelsIn, [&] { return madeLevels(std::move(mesh)); },
+        [&](const core::ProgressiveMesh& made) { return core::pmBytes(made, whole); });
 }
 
 core::ProgressiveMesh progressiveOf(core::Mesh mesh)

@@ -81,6 +81,19 @@ public:
         removeOldest();
     }
 
+    /// Returns the result kept under a name and a mark of the inputs, or makes it and keeps it. `read`: takes the bytes, and returns an optional
+    /// that is absent where `write` did not write them; `write`: returns the bytes of a result.
+    template<class Read, class Make, class Write>
+    auto findOrMake(std::string_view name, const ContentMark& inputs, const Read& read, const Make& make,
+                    const Write& write) const -> decltype(make())
+    {
+        if (const auto bytes = find(name, inputs))
+            if (auto found = read(*bytes)) return *std::move(found);
+        auto made = make();
+        keep(name, inputs, write(made));
+        return made;
+    }
+
 private:
     static constexpr std::string_view kMagic = "osgTrainer kept 1\n";
     static constexpr std::size_t kHeadBytes = kMagic.size() + 33;
