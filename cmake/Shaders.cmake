@@ -10,15 +10,23 @@ function(osgtrainer_shaders target namespace)
     list(TRANSFORM files PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}-shaders)
     set(output ${folder}/shaders/${namespace})
-    add_custom_command(OUTPUT ${output}.cpp ${output}.h
-        COMMAND ${CMAKE_COMMAND} "-DNAMESPACE=${namespace}" "-DOUTPUT=${output}" "-DFILES=${files}"
-            -P ${OSGTRAINER_EMBED_SHADERS}
-        DEPENDS ${files} ${OSGTRAINER_EMBED_SHADERS}
-        COMMENT "Embedding the shaders of ${target}" VERBATIM)
-    # A target that links nothing needs the files, too, so the command waits for no library: all that includes the header would wait with it.
-    add_custom_target(${target}_${namespace}_shaders DEPENDS ${output}.cpp ${output}.h)
+    # Declared in the uppermost folder, whose commands ninja takes first: all that includes a header would wait for the command otherwise.
+    cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]] CALL
+        osgtrainer_embed_shaders [[${target}_${namespace}_shaders]] [[${namespace}]] [[${output}]] [[${files}]])")
+    set_source_files_properties(${output}.cpp ${output}.h PROPERTIES GENERATED ON)
+    add_dependencies(${target} ${target}_${namespace}_shaders)
     # Outside the unity files, so that a changed shader compiles this source alone.
     set_source_files_properties(${output}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     target_sources(${target} PRIVATE ${output}.cpp ${output}.h)
     target_include_directories(${target} PRIVATE ${folder})
+endfunction()
+
+# The target NAME makes output.cpp and output.h of the files. It links nothing, so it waits for no library.
+function(osgtrainer_embed_shaders name namespace output files)
+    add_custom_command(OUTPUT ${output}.cpp ${output}.h
+        COMMAND ${CMAKE_COMMAND} "-DNAMESPACE=${namespace}" "-DOUTPUT=${output}" "-DFILES=${files}"
+            -P ${OSGTRAINER_EMBED_SHADERS}
+        DEPENDS ${files} ${OSGTRAINER_EMBED_SHADERS}
+        COMMENT "Embedding the shaders ${name}" VERBATIM)
+    add_custom_target(${name} DEPENDS ${output}.cpp ${output}.h)
 endfunction()
