@@ -2,8 +2,8 @@
 # One way to declare each kind of target, so that include paths, warnings and names cannot drift apart.
 
 # The targets that compute by the million: they alone are optimised as the build type says (decision 78).
-set(OSGTRAINER_HOT osgPMObjects_core osgTerrainROAM_core osgMultiTriangulation_core osgRoads_core scenery worldmaking
-    terrain_generator)
+set(OSGTRAINER_HOT osgPMObjects_core osgPMObjects_tools_core osgTerrainROAM_core osgTerrainROAM_bisection_core osgMultiTriangulation_core
+    osgMultiTriangulation_tools_core osgRoads_core scenery worldmaking terrain_generator)
 
 # What holds for every target of the tree: warnings, and the same rounding everywhere (a fused multiply-add would make
 # pictures and meshes depend on the CPU).

@@ -11,7 +11,7 @@
 #include <osg/LightModel>
 #include <osg/Material>
 
-#include <shaders/osgPMObjects.h>
+#include <shaders/bakedObjects.h>
 
 namespace osgPMObjects
 {
@@ -108,8 +108,8 @@ BakedLook::BakedLook(const core::BakedMaps& maps, int gutterPx)
 {
     _normals->setMaxLOD(smallestCopy(gutterPx));
     _program->setName("baked");
-    _program->addShader(new osg::Shader(osg::Shader::VERTEX, shaders::kBakedVert));
-    _program->addShader(new osg::Shader(osg::Shader::FRAGMENT, shaders::kBakedFrag));
+    _program->addShader(new osg::Shader(osg::Shader::VERTEX, bakedObjects::shaders::kBakedVert));
+    _program->addShader(new osg::Shader(osg::Shader::FRAGMENT, bakedObjects::shaders::kBakedFrag));
 }
 
 osg::ref_ptr<osg::StateSet> BakedLook::stateFor(const osg::StateSet& state, const Finish& finish,

@@ -2,13 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
-
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/index/rtree.hpp>
 
 #include <osgMultiTriangulation/core/file/MtInfo.h>
 
@@ -26,11 +22,8 @@ public:
     std::vector<std::uint32_t> near(double x, double y, double halfWidth, double halfHeight) const;
 
 private:
-    using Place = boost::geometry::model::d2::point_xy<double>;
-    using Box = boost::geometry::model::box<Place>;
-    using Entry = std::pair<Box, std::uint32_t>;
-
-    boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>> _tree;
+    struct Boxes; // the R-tree: its headers stay in the source
+    std::shared_ptr<const Boxes> _boxes;
 };
 
 /// The distance of a place on the lattice from a tree's extent, in the units of the steps; 0 inside.
