@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# awk -f scripts/comment-lines.awk [-v check=1] FILE: writes a C++ source whose comments keep within `width` columns: from a line that is
-# longer, its paragraph is filled anew; a comment behind code that does not fit stands above it. With check=1 the lines that are too
-# long are named instead, FILE:LINE: each, and the exit status is 1 where there are any. A word that is longer than a line stays.
+# awk -f scripts/comment-lines.awk [-v check=1] FILE…: keeps the comments of C++ sources within `width` columns (110). From a line that
+# is longer on, its paragraph is filled anew; a comment behind code that does not fit goes above it. With check=1 nothing is written: the
+# lines that are too long are named, FILE:LINE: each, and the exit status is 1 where there are any. A word longer than a line stays.
 
 function columns(text)
 {
@@ -15,20 +15,37 @@ function lead(line) { return match(line, /^ *\/\/(\/<?)? /) ? substr(line, 1, RL
 # Whether a text begins a paragraph: a tag of a doc comment, an item of a list, a row of a table, a line that is set in.
 function begins(text) { return text ~ /^([A-Z][A-Za-z ]*:( |$)|`[^`]*`(, `[^`]*`)*:|[-*|@] ?|[0-9]+\. |  |NOLINT|clang-format|SPDX)/ }
 
-# Fills a paragraph of words.
+# Adds a paragraph of words to what is written.
 function fill(before, text,    words, count, i, line)
 {
     count = split(text, words, " ")
     line = before words[1]
     for (i = 2; i <= count; i++) {
         if (columns(line " " words[i]) > width) {
-            print line
+            out[++outCount] = line
             line = before words[i]
         } else {
             line = line " " words[i]
         }
     }
-    print line
+    out[++outCount] = line
+}
+
+# Adds a line of code whose comment goes above the first line of its declaration.
+function lift(line,    code, text, first, above, i)
+{
+    match(line, / *\/\/\/< /)
+    code = substr(line, 1, RSTART - 1)
+    text = substr(line, RSTART + RLENGTH)
+    first = outCount + 1
+    while (first > 1 && out[first - 1] !~ /([;,{}:)]|[^\/]\/\/.*)$|^ *(\/\/.*|#.*)?$/) first--
+    for (i = outCount; i >= first; i--) above[i] = out[i]
+    i = outCount
+    outCount = first - 1
+    above[i + 1] = code
+    match(above[first], /^ */)
+    fill(substr(above[first], 1, RLENGTH) "/// ", text)
+    for (; first <= i + 1; first++) out[++outCount] = above[first]
 }
 
 function isTooLong(line,    before, rest)
@@ -40,33 +57,45 @@ function isTooLong(line,    before, rest)
     return rest ~ / / && !(rest ~ /^(NOLINT|clang-format)/)
 }
 
-BEGIN { if (!width) width = 110 }
-{ lines[NR] = $0 }
-END {
-    for (n = 1; n <= NR; n++) {
-        if (!isTooLong(lines[n])) {
-            if (!check) print lines[n]
-            continue
-        }
-        if (check) {
-            printf "%s:%d:\n", FILENAME, n
+# Names the lines of the file that was read that are too long.
+function name(    n)
+{
+    for (n = 1; n <= count; n++)
+        if (isTooLong(lines[n])) {
+            printf "%s:%d:\n", file, n
             isWrong = 1
-            continue
         }
+}
+
+# Writes the file that was read anew, where a line of it is too long.
+function write(    n, before, text)
+{
+    for (n = 1; n <= count && !isTooLong(lines[n]); n++) {}
+    if (n > count) return
+    outCount = 0
+    for (n = 1; n <= count; n++) {
         before = lead(lines[n])
-        if (before == "") {
-            match(lines[n], / *\/\/\/< /)
-            code = substr(lines[n], 1, RSTART - 1)
-            text = substr(lines[n], RSTART + RLENGTH)
-            match(code, /^ */)
-            fill(substr(code, 1, RLENGTH) "/// ", text)
-            print code
-            continue
+        if (!isTooLong(lines[n])) {
+            out[++outCount] = lines[n]
+        } else if (before == "") {
+            lift(lines[n])
+        } else {
+            text = substr(lines[n], length(before) + 1)
+            while (n < count && lead(lines[n + 1]) == before && !begins(substr(lines[n + 1], length(before) + 1)))
+                text = text " " substr(lines[++n], length(before) + 1)
+            fill(before, text)
         }
-        text = substr(lines[n], length(before) + 1)
-        while (n < NR && lead(lines[n + 1]) == before && !begins(substr(lines[n + 1], length(before) + 1)))
-            text = text " " substr(lines[++n], length(before) + 1)
-        fill(before, text)
     }
+    for (n = 1; n <= outCount; n++) print out[n] > file
+    close(file)
+}
+
+function end() { if (check) name(); else write() }
+
+BEGIN { if (!width) width = 110 }
+FNR == 1 { if (file != "") end(); file = FILENAME; count = 0 }
+{ lines[++count] = $0 }
+END {
+    if (file != "") end()
     exit isWrong
 }

@@ -10,15 +10,17 @@
 
 #include "SourceText.h"
 
-/// The graph of include lines: each file is read once, when it is asked for first, and files that are not found are left out.
-/// All units share one list of folders, so that a header brings the same wherever it is included.
+/// The graph of include lines: each file is read once, when it is asked for first, and files that are not
+/// found are left out. All units share one list of folders, so that a header brings the same wherever it is
+/// included.
 class IncludeGraph
 {
 public:
     using File = int; ///< its place in the graph
 
-    /// folders: where names are looked up, in this order. A file below `root` is read from the same place below `overlay` if it is there;
-    /// of the files elsewhere only those in `known` are followed, so that headers of other machines and languages do not count.
+    /// folders: where names are looked up, in this order. A file below `root` is read from the same place
+    /// below `overlay` if it is there; of the files elsewhere only those in `known` are followed, so that
+    /// headers of other machines and languages do not count.
     IncludeGraph(std::vector<std::string> folders, const std::filesystem::path& root,
                  const std::filesystem::path& overlay, std::set<std::string> known);
 
@@ -26,7 +28,8 @@ public:
     File find(const std::string& path);
     const std::string& path(File file) const { return _nodes[file].path; }
 
-    /// All files that one includes, itself first, each once; with each the file in the list that includes it first.
+    /// All files that one includes, itself first, each once; with each the file in the list that includes it
+    /// first.
     std::vector<std::pair<File, File>> closure(File file);
     /// The lines of the closure.
     long weight(File file);

@@ -14,7 +14,8 @@ public:
 
     bool atEnd() const { return _at >= _text.size(); }
 
-    /// Goes to the end of a line of code, with the comments and literals that begin in it; tells whether it has code.
+    /// Goes to the end of a line of code, with the comments and literals that begin in it; tells whether it
+    /// has code.
     bool passLine()
     {
         bool code = false;
@@ -34,7 +35,8 @@ public:
         return code;
     }
 
-    /// The directive on this line without '#', with the lines that continue it; empty if there is none, and then nothing is passed.
+    /// The directive on this line without '#', with the lines that continue it; empty if there is none, and
+    /// then nothing is passed.
     std::string_view directive()
     {
         const std::size_t first = _text.find_first_not_of(kBlanks, _at);

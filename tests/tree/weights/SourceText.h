@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-/// An include line names a file: in quotes or in angle brackets, or as what stands after the including folder (#include_next).
+/// An include line names a file: in quotes or in angle brackets, or as what stands after the including folder
+/// (#include_next).
 struct IncludeLine
 {
     std::string name;
@@ -20,6 +21,6 @@ struct SourceText
     std::vector<IncludeLine> includes;
 };
 
-/// Counts the lines with code, which are neither empty nor comments nor directives, and lists the include lines. Conditions are not evaluated: a file
-/// under #ifdef counts, too.
+/// Counts the lines with code, which are neither empty nor comments nor directives, and lists the include
+/// lines. Conditions are not evaluated: a file under #ifdef counts, too.
 SourceText readSourceText(std::string_view text);

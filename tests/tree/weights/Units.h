@@ -14,14 +14,16 @@ struct Unit
     std::string source; ///< absolute
 };
 
-/// The units of a build folder, and the folders that any of them looks for headers in, those with the headers of the tree first.
+/// The units of a build folder, and the folders that any of them looks for headers in, those with the headers
+/// of the tree first.
 struct Units
 {
     std::vector<Unit> units;
     std::vector<std::string> folders;
 };
 
-/// Reads compile_commands.json. Folders of forbidden headers, which stand in the way of OSG's in cores, are left out.
+/// Reads compile_commands.json. Folders of forbidden headers, which stand in the way of OSG's in cores, are
+/// left out.
 /// Errors: the file is not there, is not JSON, or lists nothing.
 foundation::Result<Units> readUnits(const std::filesystem::path& buildFolder);
 

@@ -13,7 +13,8 @@
 /// What a name weighs: an object or a header, and its lines with all that it includes.
 using Weighed = std::pair<std::string, long>;
 
-/// The weight of the tree: lines of each unit and of each header. Units behind ./demo are among those of everything.
+/// The weight of the tree: lines of each unit and of each header. Units behind ./demo are among those of
+/// everything.
 struct Weights
 {
     IncludeGraph graph;
@@ -23,8 +24,8 @@ struct Weights
     static long sum(const std::vector<Weighed>& units);
 };
 
-/// Weighs a tree by the lists of a folder, which tests/tree/weigh-lists writes: compile_commands.json, demo.txt and all.txt (objects), headers.txt,
-/// system.txt (the compiler's own include folders), read.txt (all files that the compiler has read).
-/// Files of `overlay` stand in for those of `root`.
+/// Weighs a tree by the lists of a folder, which tests/tree/weigh-lists writes: compile_commands.json,
+/// demo.txt and all.txt (objects), headers.txt, system.txt (the compiler's own include folders), read.txt
+/// (all files that the compiler has read). Files of `overlay` stand in for those of `root`.
 foundation::Result<Weights> weigh(const std::filesystem::path& lists, const std::filesystem::path& root,
                                   const std::filesystem::path& overlay);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // weights: the weight of the tree against its limits.
 //   weights check LISTS ROOT LIMITS [OVERLAY]   fails where a limit is exceeded, and names what is heaviest
-//   weights propose LISTS ROOT LIMITS           the same limits 4 % above what is measured, as a file of limits
+// weights propose LISTS ROOT LIMITS the same limits 4 % above what is measured, as a file of limits
 //   weights list LISTS ROOT LIMITS              what each unit and each header weighs, heaviest first
 //   weights raised LIMITS LIMITS                what the second file allows and the first did not
 #include <algorithm>
@@ -31,7 +31,8 @@ std::map<std::string, long> totals(const Weights& weights)
             {"all lines", Weights::sum(weights.all)}};
 }
 
-/// The heaviest of the files that a header includes itself: what each brings, and the way to the largest file behind it.
+/// The heaviest of the files that a header includes itself: what each brings, and the way to the largest file
+/// behind it.
 void printBrought(Weights& weights, const std::filesystem::path& root, const std::string& header)
 {
     const IncludeGraph::File file = weights.graph.find((root / header).string());
