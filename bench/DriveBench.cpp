@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A step of a road vehicle: on level asphalt, on gravel with all its wheels' noise, and fifty cars in one world. `drive_bench [VEHICLE.xml]`.
+// A step of a road vehicle: on level asphalt, on gravel with all its wheels' noise, and fifty cars in one
+// world. `drive_bench [VEHICLE.xml]`.
 #include <cstdio>
 #include <memory>
 #include <vector>

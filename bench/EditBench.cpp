@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures the time of an edit for each sample that it changes, over tiles of growing size: it must not depend on the
-// size.
+// Measures the time of an edit for each sample that it changes, over tiles of growing size: it must not
+// depend on the size.
 //   build/bin/edit_bench
 #include <algorithm>
 #include <chrono>
@@ -72,7 +72,8 @@ BENCHMARK(editSamples)
     ->Iterations(400)
     ->Unit(benchmark::kMicrosecond);
 
-/// Measures how long a mesh takes to follow such edits while the eye stands still. Arguments: as editSamples().
+/// Measures how long a mesh takes to follow such edits while the eye stands still. Arguments: as
+/// editSamples().
 void followSamples(benchmark::State& state)
 {
     const auto tile = tileOf(static_cast<int>(state.range(0)), 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures progressive meshes: single steps between levels, jumps to a level, and building. The argument `mesh` is a Subject,
-// `arrangement` an Arrangement.
+// Measures progressive meshes: single steps between levels, jumps to a level, and building. The argument
+// `mesh` is a Subject, `arrangement` an Arrangement.
 #include <map>
 #include <utility>
 

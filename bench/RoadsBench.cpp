@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Look-ups on a road network: road to world, and world to road without a hint; its drawn surface, and what a view of it costs.
-// `roads_bench FILE.xodr`.
+// Look-ups on a road network: road to world, and world to road without a hint; its drawn surface, and what a
+// view of it costs. `roads_bench FILE.xodr`.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -106,7 +106,8 @@ void measure(const char* file, const RoadNetwork& network)
          [](std::size_t i) { benchmark::DoNotOptimize(locator.nearest(course.points[i])); });
 }
 
-/// The surface: how long it takes to make, how large it is, and the choice of levels for a driver on a random road.
+/// The surface: how long it takes to make, how large it is, and the choice of levels for a driver on a random
+/// road.
 void measureSurface(const std::shared_ptr<const RoadNetwork>& network)
 {
     static const PlacedNetwork placed(network);

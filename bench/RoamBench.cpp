@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures how the ROAM mesh adapts along continuous flights, beside refinement from scratch in the same run; merges,
-// ground queries, and building the error tree. The terrain is real if OSGTRAINER_REAL_DATA names it, else the tests' hills.
+// Measures how the ROAM mesh adapts along continuous flights, beside refinement from scratch in the same run;
+// merges, ground queries, and building the error tree. The terrain is real if OSGTRAINER_REAL_DATA names it,
+// else the tests' hills.
 //   OSGTRAINER_REAL_DATA=… build/bin/roam_bench
 #include <algorithm>
 #include <chrono>
@@ -218,8 +219,8 @@ void errorTree(benchmark::State& state)
     state.SetItemsProcessed(state.iterations() * side * side);
 }
 
-/// Measures removing the subtree below a triangle. Argument: the level of the triangle. Before each round the subtree is
-/// split down to the samples; that is not timed.
+/// Measures removing the subtree below a triangle. Argument: the level of the triangle. Before each round the
+/// subtree is split down to the samples; that is not timed.
 template<class Merge>
 void mergeSubtree(benchmark::State& state, const Merge& merge)
 {

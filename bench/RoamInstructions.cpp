@@ -2,8 +2,8 @@
 // Runs RoamMesh::refine() frame by frame, so that Valgrind's Callgrind can count its instructions.
 // scripts/count-instructions runs it.
 //   roam_instructions SCENE TOLERANCE_PX whole|centre [SLICE_US]
-// Prints a line for each frame: triangles, changed diamonds, vertices tested, and 1 if the slice ended the work early.
-// Without Callgrind it does the same, and nothing is counted.
+// Prints a line for each frame: triangles, changed diamonds, vertices tested, and 1 if the slice ended the
+// work early. Without Callgrind it does the same, and nothing is counted.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures how levels are chosen for a field of 10 000 objects: by each rule, by one budget for the scene along a flight; and switching.
+// Measures how levels are chosen for a field of 10 000 objects: by each rule, by one budget for the scene
+// along a flight; and switching.
 #include <memory>
 
 #include <benchmark/benchmark.h>
@@ -76,7 +77,8 @@ struct Field
     }
 };
 
-/// Returns the selector of a frame. The eye moves 1 m a frame, 20 m above the field, and starts again after 1000 frames.
+/// Returns the selector of a frame. The eye moves 1 m a frame, 20 m above the field, and starts again after
+/// 1000 frames.
 LevelSelector selectorOf(int frame)
 {
     const glm::dvec3 eye{0.0, -200.0 + frame % 1000, 20.0};
@@ -108,8 +110,8 @@ BENCHMARK_CAPTURE(rule, facingArea, SelectionMethod::facingArea)->Unit(benchmark
 BENCHMARK_CAPTURE(rule, continuous, SelectionMethod::continuous)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(rule, screenError, SelectionMethod::screenError)->Unit(benchmark::kMicrosecond);
 
-/// Measures selection under a budget. Arguments: the budget, in per cent of the triangles without one, and the metres that the
-/// eye moves in a frame.
+/// Measures selection under a budget. Arguments: the budget, in per cent of the triangles without one, and
+/// the metres that the eye moves in a frame.
 void budget(benchmark::State& state)
 {
     Field field(SelectionMethod::budget);

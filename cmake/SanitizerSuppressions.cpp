@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sanitizers say of libraries that are not built with them. OSMesa keeps a buffer per context for good (osmesa.c,
-// osmesa_destroy_buffer is never reached); the locks inside Mesa and OSG are not seen; OSG (RenderStageCache against
-// ObserverSet, when a nested camera dies) and GDAL (opening against creating) take locks of their own in either order.
-// OSG counts references to its observers unseen, so that the mutex of the last one seems to go while another thread
-// holds it, and ends the pager's threads without joining them. Races of ours below a traversal of OSG's stay: only where OSG itself reads or writes are they passed over.
+// What sanitizers say of libraries that are not built with them. OSMesa keeps a buffer per context for good
+// (osmesa.c, osmesa_destroy_buffer is never reached); the locks inside Mesa and OSG are not seen; OSG
+// (RenderStageCache against ObserverSet, when a nested camera dies) and GDAL (opening against creating) take
+// locks of their own in either order. OSG counts references to its observers unseen, so that the mutex of the
+// last one seems to go while another thread holds it, and ends the pager's threads without joining them.
+// Races of ours below a traversal of OSG's stay: only where OSG itself reads or writes are they passed over.
 // Inline, for the object may be linked twice.
 #if defined(__SANITIZE_ADDRESS__)
 extern "C" [[gnu::used]] inline const char* __lsan_default_suppressions()

@@ -6,7 +6,8 @@
 namespace measurement
 {
 
-/// Returns the processor time that all threads of this process have used, in milliseconds; 0 where the system does not tell.
+/// Returns the processor time that all threads of this process have used, in milliseconds; 0 where the system
+/// does not tell.
 inline double processorMs()
 {
     timespec used{};

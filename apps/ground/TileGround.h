@@ -23,8 +23,8 @@ std::optional<simulation::Geodetic> originOf(const osgTerrainROAM::core::PlacedT
 /// The true surface.
 simulation::GroundProvider groundOf(const osgTerrainROAM::core::PlacedTile& tile);
 
-/// What a tour is laid over: the largest rectangle of the frame that lies within the data. A strip that is too narrow to hold
-/// one has the mean extent of its sides.
+/// What a tour is laid over: the largest rectangle of the frame that lies within the data. A strip that is
+/// too narrow to hold one has the mean extent of its sides.
 simulation::TourTerrain tourTerrainOf(const osgTerrainROAM::core::PlacedTile& tile,
                                       const std::string& sceneFile);
 

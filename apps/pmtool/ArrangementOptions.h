@@ -20,7 +20,8 @@ struct ArrangementRequest
 /// Declares --fifo and the parameters of tswap and of windows.
 void addArrangementOptions(CLI::App& command, ArrangementRequest& request);
 
-/// Returns the settings, with the cache of this machine where it was asked for. Errors: as measureVertexCache().
+/// Returns the settings, with the cache of this machine where it was asked for. Errors: as
+/// measureVertexCache().
 foundation::Result<osgPMObjects::core::ArrangementSettings>
 arrangementSettingsOf(const ArrangementRequest& request);
 

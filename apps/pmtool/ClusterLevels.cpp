@@ -21,8 +21,8 @@ using Clustered = foundation::Result<core::ClusteredMesh>;
 
 constexpr double kCellDiagonal = 1.7320508; ///< of a cube whose edge is 1
 
-/// Searches a small cell size with at most so many faces, by halving an interval of its logarithm. The number of faces does not
-/// fall at every larger size, so a smaller size than the one found may do, too.
+/// Searches a small cell size with at most so many faces, by halving an interval of its logarithm. The number
+/// of faces does not fall at every larger size, so a smaller size than the one found may do, too.
 Clustered clusterToFaces(const core::Mesh& mesh, std::size_t faces)
 {
     constexpr int kHalvings = 20; // to a hundred-thousandth of the size
@@ -43,8 +43,8 @@ Clustered clusterToFaces(const core::Mesh& mesh, std::size_t faces)
     return best;
 }
 
-/// Returns large clusters whose measured distance keeps the tolerance. A cell's diagonal does not bound it: what becomes
-/// a line or a point is gone from the surface.
+/// Returns large clusters whose measured distance keeps the tolerance. A cell's diagonal does not bound it:
+/// what becomes a line or a point is gone from the surface.
 Clustered clusterWithin(const core::Mesh& mesh, double tolerance, const core::LevelMeter& meter)
 {
     constexpr double kFiner = 1.25;

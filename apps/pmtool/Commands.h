@@ -18,7 +18,8 @@ class App;
 namespace pmtool
 {
 
-/// The work that the command line asked for. Each add…() declares one subcommand; the callback of the chosen one sets `work`.
+/// The work that the command line asked for. Each add…() declares one subcommand; the callback of the chosen
+/// one sets `work`.
 struct Chosen
 {
     std::function<foundation::Result<terminal::Report>()> work;

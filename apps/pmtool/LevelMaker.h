@@ -26,8 +26,8 @@ enum class SimplifyMethod
     removal,  ///< one vertex a step, holes filled by fans: removeVertices()
 };
 
-/// A level that was asked for: by its number of faces, by its distance from the eye, or else by its largest measured distance
-/// from the original.
+/// A level that was asked for: by its number of faces, by its distance from the eye, or else by its largest
+/// measured distance from the original.
 struct LevelWish
 {
     std::string name; ///< in the file's name: "25pc", "0.1m", "8x"
@@ -49,7 +49,8 @@ class LevelMaker
 public:
     virtual ~LevelMaker() = default;
 
-    /// Figures of all levels together: "least" faces that can be reached, "ms" that were spent before the first level.
+    /// Figures of all levels together: "least" faces that can be reached, "ms" that were spent before the
+    /// first level.
     virtual nlohmann::ordered_json summary() const = 0;
     virtual foundation::Result<MadeLevel> make(const LevelWish& wish) = 0;
 };
@@ -69,8 +70,8 @@ public:
 
     const osgPMObjects::core::LevelMeter& meter() const { return _meter; }
 
-    /// Adds "errorMax" and "errorRms"; with specks "specksVanished": those farther from the level than the tolerance, or
-    /// than errorMax where there is none.
+    /// Adds "errorMax" and "errorRms"; with specks "specksVanished": those farther from the level than the
+    /// tolerance, or than errorMax where there is none.
     void addTo(MadeLevel& level, const LevelWish& wish) const;
 
 private:
@@ -78,7 +79,8 @@ private:
     bool _hasSpecks;
 };
 
-/// edges and images. Both run simplify() at once. Of images a wish must have `faces`. `speckSize`: as of LevelErrors.
+/// edges and images. Both run simplify() at once. Of images a wish must have `faces`. `speckSize`: as of
+/// LevelErrors.
 std::unique_ptr<LevelMaker> sequenceLevels(const osgPMObjects::ImportedModel& model,
                                            const osgPMObjects::core::SimplifySettings& settings,
                                            bool arePolished, double speckSize);
@@ -87,7 +89,8 @@ std::unique_ptr<LevelMaker> sequenceLevels(const osgPMObjects::ImportedModel& mo
 std::unique_ptr<LevelMaker> removalLevels(const osgPMObjects::ImportedModel& model,
                                           const RemovalRequest& request, double speckSize);
 
-/// clusters. Errors of make(): no cells of a size that the tolerance asks for. `speckSize`: as of LevelErrors.
+/// clusters. Errors of make(): no cells of a size that the tolerance asks for. `speckSize`: as of
+/// LevelErrors.
 std::unique_ptr<LevelMaker> clusterLevels(const osgPMObjects::core::Mesh& mesh, double speckSize);
 
 } // namespace pmtool

@@ -34,7 +34,8 @@ struct ReadModel
     std::vector<std::string> notes; ///< the file's own descriptions, and what its reader left out
 };
 
-/// Reads a model in a child process, and imports it. `prepare`, where it is given, may change the node before it is imported.
+/// Reads a model in a child process, and imports it. `prepare`, where it is given, may change the node before
+/// it is imported.
 /// Errors: as readModelNode() and importNode().
 foundation::Result<ReadModel> read(const std::string& file, const osgPMObjects::ReadLimits& limits,
                                    const std::function<void(osg::Node&)>& prepare = {});
@@ -49,8 +50,8 @@ struct CleanModel
 /// Reads and cleans a model. Errors: as read(); no triangles are left.
 foundation::Result<CleanModel> readClean(const std::string& file, const osgPMObjects::ReadLimits& limits);
 
-/// Calls `work` for each file and adds the row that it returns to the table's "models". An error is printed, as one of `program`; then
-/// the other files are done all the same, and the table is not sound.
+/// Calls `work` for each file and adds the row that it returns to the table's "models". An error is printed,
+/// as one of `program`; then the other files are done all the same, and the table is not sound.
 foundation::Result<terminal::Report>
 forEachModel(const std::vector<std::string>& files,
              const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work,
@@ -62,7 +63,8 @@ nlohmann::ordered_json tableOf(const osgPMObjects::core::MeshCounts& counts);
 /// Returns the counts of an import by name; zeros are left out.
 nlohmann::ordered_json tableOf(const osgPMObjects::ImportReport& report);
 
-/// Adds what was left out on the way from the file to the mesh: "import" and "notes", each unless it is empty.
+/// Adds what was left out on the way from the file to the mesh: "import" and "notes", each unless it is
+/// empty.
 void addLosses(nlohmann::ordered_json& row, const ReadModel& model);
 
 /// Prints what addLosses() has added to a row.

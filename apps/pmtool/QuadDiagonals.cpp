@@ -43,7 +43,8 @@ osg::Vec4d elementOf(const osg::Array* array, unsigned vertex, unsigned set)
     return reader.value;
 }
 
-/// Whether sets of a mode list polygons, one after the other. A fan of four corners is a quad, too: .obj files come so.
+/// Whether sets of a mode list polygons, one after the other. A fan of four corners is a quad, too: .obj
+/// files come so.
 bool isOneEach(GLenum mode)
 {
     return mode == GL_POLYGON || mode == GL_TRIANGLE_FAN;
@@ -78,7 +79,8 @@ std::vector<std::vector<unsigned>> polygonsOf(const osg::PrimitiveSet& set)
     return polygons;
 }
 
-/// Whether a set draws quads or polygons, and only with vertices that are there. Strips of several lengths are left out.
+/// Whether a set draws quads or polygons, and only with vertices that are there. Strips of several lengths
+/// are left out.
 bool canBeCut(const osg::PrimitiveSet& set, unsigned vertexCount)
 {
     const GLenum mode = set.getMode();

@@ -20,13 +20,13 @@ struct QuadCounts
     std::size_t left = 0; ///< quads without a diagonal inside (crossed, or without area), cut as OpenGL does
 };
 
-/// Cuts the quads of every osg::Geometry below a node into triangles: GL_QUADS, GL_QUAD_STRIP, and polygons and fans of four
-/// corners.
-/// The rule sees them in the root's frame; a geometry with several parents is cut as below the first one. Other primitives stay,
-/// and so do sets with an index beyond the vertices.
+/// Cuts the quads of every osg::Geometry below a node into triangles: GL_QUADS, GL_QUAD_STRIP, and polygons
+/// and fans of four corners. The rule sees them in the root's frame; a geometry with several parents is cut
+/// as below the first one. Other primitives stay, and so do sets with an index beyond the vertices.
 QuadCounts cutQuads(osg::Node& root, osgPMObjects::core::DiagonalRule rule);
 
-/// Makes OpenSceneGraph's .obj reader keep quads, as long as this object lives; otherwise that reader cuts them itself.
+/// Makes OpenSceneGraph's .obj reader keep quads, as long as this object lives; otherwise that reader cuts
+/// them itself.
 class KeptQuads
 {
 public:

@@ -22,7 +22,8 @@ struct RemovalRequest
 /// Declares --support and --support-depth.
 void addRemovalOptions(CLI::App& command, RemovalRequest& request);
 
-/// Removes vertices one by one and fills the holes by fans, so that a progressive mesh can play the steps. `mesh`: consolidated.
+/// Removes vertices one by one and fills the holes by fans, so that a progressive mesh can play the steps.
+/// `mesh`: consolidated.
 osgPMObjects::core::CollapseSequence removalsOf(const osgPMObjects::core::Mesh& mesh,
                                                 const RemovalRequest& request);
 

@@ -82,7 +82,8 @@ private:
         return level;
     }
 
-    /// Returns the steps to a level; a distance gives the number T of vertices that the continuous rule removes.
+    /// Returns the steps to a level; a distance gives the number T of vertices that the continuous rule
+    /// removes.
     std::size_t stepsTo(const core::CollapseSequence& sequence, const LevelWish& wish)
     {
         if (wish.faces) return core::stepsToFaces(sequence, *wish.faces);

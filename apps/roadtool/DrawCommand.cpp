@@ -18,7 +18,8 @@ namespace roadtool
 namespace
 {
 
-/// Writes the images that were asked for and tells their names. Both are made before one is written: where memory lacks, none is.
+/// Writes the images that were asked for and tells their names. Both are made before one is written: where
+/// memory lacks, none is.
 foundation::Outcome writeImages(const TopView& view, const Request& request, nlohmann::ordered_json& row)
 {
     const std::string svg = request.svgFile.empty() ? std::string() : svgText(view, request.pixels);

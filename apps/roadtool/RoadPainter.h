@@ -8,8 +8,8 @@
 namespace roadtool
 {
 
-/// Each adds the polygons of one part of a usable road. Strips have corners at least `shortestM` apart, where that is more
-/// than the error of chords asks for.
+/// Each adds the polygons of one part of a usable road. Strips have corners at least `shortestM` apart, where
+/// that is more than the error of chords asks for.
 void paintLanes(const osgRoads::core::Road& road, double shortestM, std::vector<FilledPolygon>& polygons);
 void paintMarks(const osgRoads::core::Road& road, double shortestM, std::vector<FilledPolygon>& polygons);
 

@@ -34,8 +34,8 @@ struct TopView
     std::vector<FilledPolygon> polygons;
 };
 
-/// Makes the top view of a network: lanes by their type, road marks, objects, signals. Curves are sampled so that chords
-/// are off by 5 cm at most (more where a network has over a million samples).
+/// Makes the top view of a network: lanes by their type, road marks, objects, signals. Curves are sampled so
+/// that chords are off by 5 cm at most (more where a network has over a million samples).
 TopView topView(const osgRoads::core::RoadNetwork& network);
 
 /// The bounds of the reference lines of all usable roads.

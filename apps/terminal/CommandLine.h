@@ -10,8 +10,8 @@
 namespace terminal
 {
 
-/// Reads the command line. A returned value is the exit code with which the program must end: --help or --version has
-/// been printed, or one line on stderr that names the fault and where to look it up.
+/// Reads the command line. A returned value is the exit code with which the program must end: --help or
+/// --version has been printed, or one line on stderr that names the fault and where to look it up.
 std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 /// Accepts finite numbers from `least` to `most`. (CLI::Range accepts NaN.)
@@ -20,7 +20,8 @@ CLI::Validator between(double least, double most);
 /// Accepts file names with this extension: ".pm".
 CLI::Validator extension(const std::string& dotted);
 
-/// Accepts the names of a table, and gives the option the value of the name. (CLI::CheckedTransformer prints its numbers.)
+/// Accepts the names of a table, and gives the option the value of the name. (CLI::CheckedTransformer prints
+/// its numbers.)
 template<class Value>
 CLI::Validator named(const std::map<std::string, Value>& values)
 {

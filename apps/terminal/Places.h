@@ -23,8 +23,9 @@ struct Places
     std::vector<std::filesystem::path> read;    ///< files, not those that GDAL names (/vsi…)
 };
 
-/// Tells at once, before any work, whether all of them can be used: first what is written, then what is read. Leaves no trace; of files
-/// that are read one byte is read. Errors: of the first that cannot be used, as checkWritable(), checkFolderWritable(), checkReadable().
+/// Tells at once, before any work, whether all of them can be used: first what is written, then what is read.
+/// Leaves no trace; of files that are read one byte is read. Errors: of the first that cannot be used, as
+/// checkWritable(), checkFolderWritable(), checkReadable().
 foundation::Outcome checkPlaces(const Places& places);
 
 } // namespace terminal

@@ -8,8 +8,9 @@
 namespace terminal
 {
 
-/// The progress of long work: what is done, how long it took, and about how long the rest will take. It is quiet for the first two seconds.
-/// On a terminal it is one line that is redrawn; elsewhere a line at every tenth, and at the begin of each step.
+/// The progress of long work: what is done, how long it took, and about how long the rest will take. It is
+/// quiet for the first two seconds. On a terminal it is one line that is redrawn; elsewhere a line at every
+/// tenth, and at the begin of each step.
 /// Threads: one tells it; it draws in another one.
 class Progress
 {

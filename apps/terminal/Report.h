@@ -20,8 +20,9 @@ struct Report
     bool sound = true;
 };
 
-/// Checks the places of the command line and that of the table, does the work, writes its table to `jsonFile` unless that is empty, and
-/// returns the exit code of the program: kFailed after an error, and when a check of the table failed.
+/// Checks the places of the command line and that of the table, does the work, writes its table to `jsonFile`
+/// unless that is empty, and returns the exit code of the program: kFailed after an error, and when a check
+/// of the table failed.
 int report(const std::string& program, const std::filesystem::path& jsonFile,
            const std::function<foundation::Result<Report>()>& work, Places places = {});
 

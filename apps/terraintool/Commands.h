@@ -31,15 +31,15 @@ struct Request
 
 using terminal::Report;
 
-/// Tells what is wrong with the heads of all files before the first is loaded. Errors: those of describeTerrain(), checkDems() and
-/// checkReadable().
+/// Tells what is wrong with the heads of all files before the first is loaded. Errors: those of
+/// describeTerrain(), checkDems() and checkReadable().
 foundation::Outcome checkHeads(const Request& request);
 
 /// Sizes, heights, voids and placement of each file.
 foundation::Result<Report> info(const Request& request);
 
-/// Flies the tour over each terrain, and the path of each scenario (.xosc) over the terrain that it names, and checks the
-/// mesh of every frame by brute force. A .mt file is checked by validateMt().
+/// Flies the tour over each terrain, and the path of each scenario (.xosc) over the terrain that it names,
+/// and checks the mesh of every frame by brute force. A .mt file is checked by validateMt().
 foundation::Result<Report> validate(const Request& request);
 
 } // namespace terraintool

@@ -16,8 +16,8 @@ struct CheckRequest
     bool printsCoverage = false;    ///< instead of checking: the table of elements
 };
 
-/// Prints every problem of the scenarios, one a line, and returns the exit code: kDone when nothing is wrong, kFailed otherwise,
-/// kWrongUse without a file. What is not in effect is printed, and is not wrong.
+/// Prints every problem of the scenarios, one a line, and returns the exit code: kDone when nothing is wrong,
+/// kFailed otherwise, kWrongUse without a file. What is not in effect is printed, and is not wrong.
 int check(const CheckRequest& request);
 
 } // namespace trainer

@@ -20,7 +20,8 @@ struct CompareRequest
 };
 
 /// Prints the largest and the RMS difference of each entity of the reference, one line each.
-/// Errors: a table that cannot be read; a difference beyond the limits, or a row that the other table does not have.
+/// Errors: a table that cannot be read; a difference beyond the limits, or a row that the other table does
+/// not have.
 foundation::Outcome compare(const CompareRequest& request);
 
 } // namespace trainer

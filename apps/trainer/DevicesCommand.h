@@ -15,7 +15,8 @@ struct DevicesRequest
     std::filesystem::path devicesFile; ///< empty: none
 };
 
-/// Prints every device with its axes and buttons and what the devices file makes of it, then, for so long, where they are.
+/// Prints every device with its axes and buttons and what the devices file makes of it, then, for so long,
+/// where they are.
 /// Errors: a devices file that cannot be read, a build or a machine without access to devices.
 foundation::Outcome listDevices(const DevicesRequest& request);
 

@@ -13,7 +13,8 @@
 namespace trainer
 {
 
-/// The arguments of `trainer drive`; the terrain file is the world: an OpenDRIVE network, or a .roam file with roads. Empty paths: none.
+/// The arguments of `trainer drive`; the terrain file is the world: an OpenDRIVE network, or a .roam file
+/// with roads. Empty paths: none.
 struct DriveRequest : RideRequest
 {
     std::filesystem::path vehicle = foundation::dataFile("vehicles/car.xml");
@@ -23,12 +24,13 @@ struct DriveRequest : RideRequest
     std::optional<simulation::GroundKind> surface; ///< of the roads; absent: what their lanes are made of
 };
 
-/// Tells before any work, and before a world is made, what is wrong with a drive besides its pictures. Errors: of files that cannot be
-/// read or written, of the vehicle's file.
+/// Tells before any work, and before a world is made, what is wrong with a drive besides its pictures.
+/// Errors: of files that cannot be read or written, of the vehicle's file.
 foundation::Outcome checkDrive(const DriveRequest& request);
 
-/// Drives a road vehicle by its own physics along the lanes of a world: by the driver or by recorded inputs, with or without
-/// pictures, or by hand in a window. Prints how far it came and how far from the middle of its lane it was at most.
+/// Drives a road vehicle by its own physics along the lanes of a world: by the driver or by recorded inputs,
+/// with or without pictures, or by hand in a window. Prints how far it came and how far from the middle of
+/// its lane it was at most.
 /// Errors: those of the files, of the world (no roads), of the start.
 foundation::Outcome drive(const DriveRequest& request);
 

@@ -16,13 +16,14 @@
 namespace trainer
 {
 
-/// The model of an entity: the file that its `model3d` names, else a generated model by its category, names and size
-/// (scenery/nodes/EntityLook.h). Frame: the entity's own, placed by show(). Threads: show() between frames.
+/// The model of an entity: the file that its `model3d` names, else a generated model by its category, names
+/// and size (scenery/nodes/EntityLook.h). Frame: the entity's own, placed by show(). Threads: show() between
+/// frames.
 class EntityModel
 {
 public:
-    /// `folder`: model3d is relative to it. `shapes`: of all entities. Errors: a model file that exists and cannot be
-    /// read.
+    /// `folder`: model3d is relative to it. `shapes`: of all entities. Errors: a model file that exists and
+    /// cannot be read.
     static foundation::Result<EntityModel> create(const simulation::ScenarioObject& object,
                                                   const std::filesystem::path& folder,
                                                   scenery::EntityShapes& shapes);

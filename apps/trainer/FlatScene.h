@@ -12,12 +12,14 @@
 namespace trainer
 {
 
-/// Makes flat ground below recorded tracks, at the height that one fix of fifty is below, with 20 km around them: a stage for a
-/// recording whose terrain is not at hand. `painted`: onto it. Errors: tracks that are more than 5 degrees apart, or beyond 80 degrees of latitude.
+/// Makes flat ground below recorded tracks, at the height that one fix of fifty is below, with 20 km around
+/// them: a stage for a recording whose terrain is not at hand. `painted`: onto it. Errors: tracks that are
+/// more than 5 degrees apart, or beyond 80 degrees of latitude.
 foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::FlightTrack>& tracks,
                                                std::vector<osgTerrainROAM::core::GroundFeature> painted = {});
 
-/// Makes level ground, 40 km square, around a place at its height: a stage for what has no terrain. Errors: as makeFlatScene().
+/// Makes level ground, 40 km square, around a place at its height: a stage for what has no terrain. Errors:
+/// as makeFlatScene().
 foundation::Result<SceneTerrain>
 makeLevelScene(const simulation::Geodetic& middle,
                std::vector<osgTerrainROAM::core::GroundFeature> painted = {});

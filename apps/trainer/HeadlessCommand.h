@@ -24,12 +24,12 @@ struct HeadlessRequest
     std::uint64_t seed = 0;                          ///< of what the player leaves to chance
 };
 
-/// Plays to the stop trigger, until all motions that were lent are done, or request.durationS, with the log of request.logFile; prints how
-/// fast. Errors: a file that cannot be written.
+/// Plays to the stop trigger, until all motions that were lent are done, or request.durationS, with the log
+/// of request.logFile; prints how fast. Errors: a file that cannot be written.
 foundation::Outcome playOut(simulation::ScenarioPlayer& player, const HeadlessRequest& request);
 
-/// Plays a scenario to its stop trigger without a picture: neither terrain nor models are opened, only its roads.
-/// What the scenario has and the player has not is told on stderr, one line each, and passed over.
+/// Plays a scenario to its stop trigger without a picture: neither terrain nor models are opened, only its
+/// roads. What the scenario has and the player has not is told on stderr, one line each, and passed over.
 /// Errors: as readScenario() and ScenarioPlayer::create(); a file that cannot be written.
 foundation::Outcome playHeadless(const HeadlessRequest& request);
 

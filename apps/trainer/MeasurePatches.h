@@ -23,8 +23,8 @@ class RoamTerrain;
 namespace trainer
 {
 
-/// Chooses the patch exponent of the terrain: measures complete frames with some exponents and keeps the fastest.
-/// `moveEye` is called before each frame. Returns the result as one line of text.
+/// Chooses the patch exponent of the terrain: measures complete frames with some exponents and keeps the
+/// fastest. `moveEye` is called before each frame. Returns the result as one line of text.
 /// The choice depends on the machine and its load: do not use it for frames that must be the same everywhere.
 /// Precondition: nothing captures the contexts yet.
 std::string measurePatches(osgTerrainROAM::RoamTerrain& terrain, osgViewer::Viewer& viewer,

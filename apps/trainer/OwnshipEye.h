@@ -10,12 +10,14 @@
 namespace trainer
 {
 
-/// The camera position by --eye: in the entity that is watched, behind, above or beside it, or where the request says.
+/// The camera position by --eye: in the entity that is watched, behind, above or beside it, or where the
+/// request says.
 /// Frame: world. Deterministic: depends on the updates only.
 class OwnshipEye
 {
 public:
-    /// `ownship`: the entity that is watched; `train`: it and what it tows; `eyeInBody`: of its driver or pilot.
+    /// `ownship`: the entity that is watched; `train`: it and what it tows; `eyeInBody`: of its driver or
+    /// pilot.
     OwnshipEye(const simulation::ScenarioObject& ownship, const TrainSize& train, const glm::dvec3& eyeInBody,
                const FrameRequest& frames, simulation::GroundProvider ground);
 

@@ -15,9 +15,11 @@
 namespace trainer
 {
 
-/// Measures what the parts of a picture cost: while a play goes on, kRun pictures in a row leave out another part (shadows, scenery, roads, ground,
-/// sky, mirrors, inside, or none), in turn, and each is waited for. A part costs what pictures without it take less. The first kRun pictures, which
-/// make meshes and compile shaders, do not count, nor does the first of each run: shadow maps that are kept are drawn anew for what appears. Threads: between pictures.
+/// Measures what the parts of a picture cost: while a play goes on, kRun pictures in a row leave out another
+/// part (shadows, scenery, roads, ground, sky, mirrors, inside, or none), in turn, and each is waited for. A
+/// part costs what pictures without it take less. The first kRun pictures, which make meshes and compile
+/// shaders, do not count, nor does the first of each run: shadow maps that are kept are drawn anew for what
+/// appears. Threads: between pictures.
 class PictureParts
 {
 public:

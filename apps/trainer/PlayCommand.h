@@ -19,7 +19,8 @@ foundation::Outcome play(const PlayRequest& request);
 foundation::Outcome playScene(SceneTerrain terrain, simulation::Scenario scenario,
                               const PlayRequest& request);
 
-/// Makes a tour over request.terrain, writes it to `saveFile` unless that is empty, and plays it. Units: seconds.
+/// Makes a tour over request.terrain, writes it to `saveFile` unless that is empty, and plays it. Units:
+/// seconds.
 foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS);
 
 /// Plays a scenario over an opened terrain, and leaves the results of the request.

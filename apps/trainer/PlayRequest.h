@@ -102,8 +102,8 @@ struct FrameRequest
     Quality quality = Quality::high;
     std::optional<double>
         eyeHeightM; ///< of a driver above the ground, or of the eye above the car; absent: a usual one
-    std::optional<bool>
-        interior; ///< whether the inside of the vehicle is drawn; absent: where somebody sits in it by name or in a window
+    /// whether the inside of the vehicle is drawn; absent: where somebody sits in it by name or in a window
+    std::optional<bool> interior;
     int perSecond = 24;
     std::optional<int> count; ///< absent: until the scenario ends
 
@@ -113,7 +113,8 @@ struct FrameRequest
         return eye == EyePoint::own || eye == EyePoint::driver || eye == EyePoint::pilot;
     }
 
-    /// Whether the inside of the vehicle is drawn. A view file has none: its channels are the windows of a cockpit.
+    /// Whether the inside of the vehicle is drawn. A view file has none: its channels are the windows of a
+    /// cockpit.
     bool showsInterior(bool hasWindow) const
     {
         return isInside() && viewFile.empty() && interior.value_or(hasWindow || eye != EyePoint::own);
@@ -172,7 +173,8 @@ struct WindowRequest
     double pictureS = 0.0;        ///< a test aid: each picture counts as so long; 0: the wall clock
 };
 
-/// The arguments of `trainer play`, `trainer tour` and what pictures show of a vehicle that is flown or driven.
+/// The arguments of `trainer play`, `trainer tour` and what pictures show of a vehicle that is flown or
+/// driven.
 struct PlayRequest
 {
     std::filesystem::path scenario;                  ///< empty in a tour
@@ -184,7 +186,8 @@ struct PlayRequest
     WindowRequest window{};
     SoundRequest sound{};
 
-    /// What moves entities in place of their actions. The play ends when all their controllers have done what they were told.
+    /// What moves entities in place of their actions. The play ends when all their controllers have done what
+    /// they were told.
     std::map<std::string, std::shared_ptr<simulation::ExternalMotion>> motions{};
     double longestS = 3600.0; ///< limit for a scenario that never ends
     std::uint64_t seed = 0;   ///< of what the player leaves to chance

@@ -20,7 +20,8 @@ namespace trainer
 namespace
 {
 
-/// The limit of triangles where the command line names none: blocks with locked borders cannot do with fewer than their borders have.
+/// The limit of triangles where the command line names none: blocks with locked borders cannot do with fewer
+/// than their borders have.
 std::uint32_t usualMaxTriangles(osgTerrainROAM::core::Method method)
 {
     return method == osgTerrainROAM::core::Method::vipmLocked ? std::numeric_limits<std::uint32_t>::max()
@@ -38,7 +39,8 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     return terrain.setSettings(settings);
 }
 
-/// The roads of a scenario where the scene shows them: those of a georeferenced world lie in its frame, not in that of their file.
+/// The roads of a scenario where the scene shows them: those of a georeferenced world lie in its frame, not
+/// in that of their file.
 std::shared_ptr<const simulation::RoadScene> inScene(std::shared_ptr<const simulation::RoadScene> roads,
                                                      const SceneTerrain& terrain)
 {

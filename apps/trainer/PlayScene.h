@@ -27,8 +27,9 @@ struct PlayScene
     std::unique_ptr<scenery::SkyShadeNode> skyShade; ///< null: none
     std::size_t watched = 0;                         ///< the entity that the eye is in or looks at
 
-    /// `terrain`: from openScene(). Errors: a scenario without entities or with other faults, an entity to watch that there is not or that begins off the
-    /// ground (checkPlaceOnGround()), terrain settings, models and scenery that cannot be used.
+    /// `terrain`: from openScene(). Errors: a scenario without entities or with other faults, an entity to
+    /// watch that there is not or that begins off the ground (checkPlaceOnGround()), terrain settings, models
+    /// and scenery that cannot be used.
     static foundation::Result<PlayScene> create(simulation::Scenario scenario, SceneTerrain terrain,
                                                 const PlayRequest& request,
                                                 const simulation::FixedClock& clock);
@@ -61,8 +62,9 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
                                                               const PlayRequest& request,
                                                               const simulation::FixedClock& clock);
 
-/// Returns the near plane of a view that sets none, as far away as possible, because the depth resolution at a
-/// distance is proportional to it. A driver sees the ground from 4 m on, a pilot or an eye above a car from much farther.
+/// Returns the near plane of a view that sets none, as far away as possible, because the depth resolution at
+/// a distance is proportional to it. A driver sees the ground from 4 m on, a pilot or an eye above a car from
+/// much farther.
 double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye);
 
 /// The same for somebody who sits inside and sees the ground near the own wheels. Units: metres.

@@ -25,13 +25,13 @@ namespace trainer
 class PlaySession
 {
 public:
-    /// `terrain`: from openScene(). Errors: a scenario, view, graphics context or folder that cannot be used; a
-    /// scenario without entities.
+    /// `terrain`: from openScene(). Errors: a scenario, view, graphics context or folder that cannot be used;
+    /// a scenario without entities.
     static foundation::Result<std::unique_ptr<PlaySession>>
     create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request);
 
-    /// Draws the current state, then advances the scenario by the time of one frame. Errors: an image that cannot be
-    /// written.
+    /// Draws the current state, then advances the scenario by the time of one frame. Errors: an image that
+    /// cannot be written.
     foundation::Outcome frame();
 
     bool isFinished() const { return _play.player->isFinished() || _play.player->areMotionsDone(); }

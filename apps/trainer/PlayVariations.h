@@ -29,7 +29,8 @@ struct ScenarioPlay
     std::string suffix; ///< for the files that it writes: "-1" …; empty where there is but one play
 };
 
-/// Plays a scenario, or the variations that a file of parameter-value distributions asks for, one after the other.
+/// Plays a scenario, or the variations that a file of parameter-value distributions asks for, one after the
+/// other.
 /// Errors: as simulation::readVariations(); a number that there is not; what `play` returns, which ends it.
 foundation::Outcome playVariations(const std::filesystem::path& file, const VariationRequest& request,
                                    const std::function<foundation::Outcome(const ScenarioPlay&)>& play);

@@ -16,9 +16,9 @@ struct QualifyRequest
     std::filesystem::path jsonFile; ///< empty: none
 };
 
-/// Flies an aircraft against its handbook and, where OSGTRAINER_REAL_DATA names the folder of real data, against recorded flights; prints
-/// one line for each figure, writes them as JSON, and returns the exit code of the program: terminal::kFailed after an error and when a
-/// figure fails.
+/// Flies an aircraft against its handbook and, where OSGTRAINER_REAL_DATA names the folder of real data,
+/// against recorded flights; prints one line for each figure, writes them as JSON, and returns the exit code
+/// of the program: terminal::kFailed after an error and when a figure fails.
 int qualifyFlight(const QualifyRequest& request);
 
 /// The arguments of `trainer qualify drive`.
@@ -31,8 +31,8 @@ struct QualifyDriveRequest
     std::filesystem::path jsonFile; ///< empty: none
 };
 
-/// Drives road vehicles against the figures of their files, the single-track model, the friction of their tyres, a slope and a kerb; prints,
-/// writes and returns as qualifyFlight().
+/// Drives road vehicles against the figures of their files, the single-track model, the friction of their
+/// tyres, a slope and a kerb; prints, writes and returns as qualifyFlight().
 int qualifyDrive(const QualifyDriveRequest& request);
 
 } // namespace trainer

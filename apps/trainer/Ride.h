@@ -54,8 +54,8 @@ public:
     virtual foundation::Result<Ride> make(std::size_t place) = 0;
 };
 
-/// Plays rides: in a window, with pictures, or at 120 steps a second without. Writes the files of the request, and returns the motion of
-/// the last one. Errors: as playScene(), playOut() and WindowSession.
+/// Plays rides: in a window, with pictures, or at 120 steps a second without. Writes the files of the
+/// request, and returns the motion of the last one. Errors: as playScene(), playOut() and WindowSession.
 foundation::Result<std::shared_ptr<simulation::VehicleMotion>>
 playRides(const RideRequest& request, SceneTerrain terrain, RideMaker& maker);
 

@@ -12,11 +12,12 @@
 namespace trainer
 {
 
-/// Tells on stderr what a scenario has that is not in effect: a line for each kind, with the first place and how many more there
-/// are. Errors: the first thing that is wrong.
+/// Tells on stderr what a scenario has that is not in effect: a line for each kind, with the first place and
+/// how many more there are. Errors: the first thing that is wrong.
 foundation::Outcome tellProblems(const std::vector<simulation::Problem>& problems);
 
-/// Reads the recorded tracks that a scenario names, and tells what was done to them. Errors: as simulation::layRecordings().
+/// Reads the recorded tracks that a scenario names, and tells what was done to them. Errors: as
+/// simulation::layRecordings().
 foundation::Outcome tellRecordings(simulation::Scenario& scenario, const simulation::RecordingPlace& place);
 
 /// Tells what a scenario refers to that is not there.

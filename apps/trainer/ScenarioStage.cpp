@@ -15,7 +15,8 @@ namespace trainer
 namespace
 {
 
-/// A SceneGraphFile that is there comes before the LogicFile: storyboards of other programs often name models that are not kept.
+/// A SceneGraphFile that is there comes before the LogicFile: storyboards of other programs often name models
+/// that are not kept.
 /// Empty: there is neither.
 std::filesystem::path sceneFileOf(const simulation::Scenario& scenario, const PlayRequest& request)
 {

@@ -10,12 +10,12 @@
 namespace trainer
 {
 
-/// Makes what grows and lies around the eye on a terrain, but not on lanes, nor on what its maps show as water, runway or field. Null: the
-/// scene has no terrain, or not in the scene's own frame.
+/// Makes what grows and lies around the eye on a terrain, but not on lanes, nor on what its maps show as
+/// water, runway or field. Null: the scene has no terrain, or not in the scene's own frame.
 std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain);
 
-/// Makes what darkens the ground where things that stand hide the sky: those of the terrain's maps, and `more` (null: none). Null: nothing
-/// does, or the scene has no terrain.
+/// Makes what darkens the ground where things that stand hide the sky: those of the terrain's maps, and
+/// `more` (null: none). Null: nothing does, or the scene has no terrain.
 std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(const SceneTerrain& terrain,
                                                     const scenery::SkyHiders* more);
 

@@ -15,7 +15,8 @@ inline double seaHeightAt(double seaLevelM, const glm::dvec3& place)
     return seaLevelM - (place.x * place.x + place.y * place.y) / kTwiceEarthM;
 }
 
-/// The ground of a scene as vehicles meet it: land by its heights; below the sea's level there is water at that level.
+/// The ground of a scene as vehicles meet it: land by its heights; below the sea's level there is water at
+/// that level.
 class SceneGround final : public simulation::Ground
 {
 public:

@@ -8,14 +8,17 @@
 namespace trainer
 {
 
-/// The inside of the watched entity in a play: its instruments follow whatever moves it. Threads: the update phase.
+/// The inside of the watched entity in a play: its instruments follow whatever moves it. Threads: the update
+/// phase.
 class SceneInterior
 {
 public:
-    /// The height of a picture from inside. Units: degrees. Wider than from outside, to have windows and instruments in sight.
+    /// The height of a picture from inside. Units: degrees. Wider than from outside, to have windows and
+    /// instruments in sight.
     static constexpr double kPictureDeg = 55.0;
 
-    /// Begins to draw the inside of `play`'s watched entity over the first channel of `rig`. Null: one does not sit inside of it.
+    /// Begins to draw the inside of `play`'s watched entity over the first channel of `rig`. Null: one does
+    /// not sit inside of it.
     static std::unique_ptr<SceneInterior> create(const PlayScene& play, osgViewer::View& view,
                                                  const ChannelRig& rig);
 

@@ -108,7 +108,8 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     return withRoads(*terrain, roads, opening);
 }
 
-/// Returns the land cover of ground that is made up for a network: meadow. Nothing is planted on it, so it shows no wood either.
+/// Returns the land cover of ground that is made up for a network: meadow. Nothing is planted on it, so it
+/// shows no wood either.
 osgTerrainROAM::core::CoverMap meadow()
 {
     return {2, 2, std::vector(4, osgTerrainROAM::core::GroundKind::meadow), {}};

@@ -23,12 +23,14 @@ struct SceneRunway
     bool isPaved = true;
 };
 
-/// Returns the runways among the features that a .roam file names, in their order. Errors: as importFeatures().
+/// Returns the runways among the features that a .roam file names, in their order. Errors: as
+/// importFeatures().
 foundation::Result<std::vector<SceneRunway>> sceneRunways(const osgTerrainROAM::core::RoamFile& description,
                                                           const osgTerrainROAM::core::PlacedTile& tile);
 
-/// Returns the strip to take off from and land on: the longest paved runway, or the longest where none is paved, in the direction
-/// against the wind. Nothing: there is none. `windFromDeg`: from north, clockwise; absent: calm.
+/// Returns the strip to take off from and land on: the longest paved runway, or the longest where none is
+/// paved, in the direction against the wind. Nothing: there is none. `windFromDeg`: from north, clockwise;
+/// absent: calm.
 std::optional<StripRequest> runwayInUse(const std::vector<SceneRunway>& runways,
                                         const std::optional<double>& windFromDeg);
 

@@ -29,8 +29,9 @@ struct SceneScenery
 /// Reads what the request names, and nothing that this names. Errors: of the file, a folder without models.
 foundation::Outcome checkScenery(const SceneryRequest& request);
 
-/// Reads, makes and places the objects of the request: its scenery file, and all readable models of its folder as one
-/// more field, scattered beside the paths. `playS`: seconds that are played, 0 to the end of the scenario;
+/// Reads, makes and places the objects of the request: its scenery file, and all readable models of its
+/// folder as one more field, scattered beside the paths. `playS`: seconds that are played, 0 to the end of
+/// the scenario;
 /// `scenario`, `options`: as they will be played. Returns nothing when the request is empty.
 /// Errors: of the file, a folder without models, a model, a terrain without ground queries.
 foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest& request, double playS,

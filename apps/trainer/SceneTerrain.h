@@ -63,20 +63,21 @@ struct SceneTerrain
 /// Moves a scene so that the origin of its terrain's frame lies at a place. Units: metres.
 SceneTerrain moved(SceneTerrain scene, const glm::dvec2& corner);
 
-/// Tells what the head of a file says against openElevation(): a fraction of a second. Errors: those of describeTerrain() and checkDems();
-/// a network or multi-triangulation that cannot be read.
+/// Tells what the head of a file says against openElevation(): a fraction of a second. Errors: those of
+/// describeTerrain() and checkDems(); a network or multi-triangulation that cannot be read.
 foundation::Outcome checkElevation(const std::filesystem::path& file, const TerrainRequest& request);
 
 /// The same before openScene(), which tells itself of models. Errors: as checkElevation().
 foundation::Outcome checkScene(const std::filesystem::path& file, const TerrainRequest& request);
 
-/// Opens a .roam file, with its roads, an elevation raster, a multi-triangulation (.mt) or an OpenDRIVE network (.xodr); `terrain` is never
-/// null. Errors: as makeTerrainWithRoads(), openMultiTriangulation() and openNetwork().
+/// Opens a .roam file, with its roads, an elevation raster, a multi-triangulation (.mt) or an OpenDRIVE
+/// network (.xodr); `terrain` is never null. Errors: as makeTerrainWithRoads(), openMultiTriangulation() and
+/// openNetwork().
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
                                                const TerrainRequest& request);
 
-/// Opens a terrain as openElevation() does and any other file with osgDB; a file that osgDB cannot read is tried as a
-/// raster. Errors: no such file, no reader, an empty scene.
+/// Opens a terrain as openElevation() does and any other file with osgDB; a file that osgDB cannot read is
+/// tried as a raster. Errors: no such file, no reader, an empty scene.
 foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file, const TerrainRequest& request);
 
 } // namespace trainer

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLeaveOut = "name a WORLD, or give --no-world";
 
-/// A name that differs for rasters of the same name in different folders. Source: Fowler, Noll & Vo, FNV-1a, 64 bit.
+/// A name that differs for rasters of the same name in different folders. Source: Fowler, Noll & Vo, FNV-1a,
+/// 64 bit.
 std::string folderName(const fs::path& dem)
 {
     std::uint64_t sum = 0xcbf29ce484222325ULL;

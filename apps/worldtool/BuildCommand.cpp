@@ -81,7 +81,8 @@ foundation::Result<ListedRunways> readHeads(const Request& request)
     return listed;
 }
 
-/// Level ground is no lake where the map tells what water there is: villages stood in water on a delta whose heights are whole metres.
+/// Level ground is no lake where the map tells what water there is: villages stood in water on a delta whose
+/// heights are whole metres.
 const char* waterOf(const worldmaking::LandMap& land, bool isMadeUp, bool hasSea)
 {
     if (isMadeUp) return hasSea ? "sea" : "none";

@@ -37,13 +37,17 @@ using terminal::Report;
 /// What a build reads and writes.
 terminal::Places placesOf(const Request& request);
 
-/// Makes a world of elevation data and a map, or of one that is made up: WORLD/roads.xodr, buildings.gpkg, ground.gpkg, landcover.tif, trees.gpkg, world.roam, and a report of what was used. The
-/// folder is made where there is none; of its files those alone are replaced, each as a whole. What is wrong with the heads of the inputs is told before any work.
-/// Errors: those of importDems(), readOsm(), readLand() and buildStreets(); bounds that are none; files that cannot be written.
+/// Makes a world of elevation data and a map, or of one that is made up: WORLD/roads.xodr, buildings.gpkg,
+/// ground.gpkg, landcover.tif, trees.gpkg, world.roam, and a report of what was used. The folder is made
+/// where there is none; of its files those alone are replaced, each as a whole. What is wrong with the heads
+/// of the inputs is told before any work.
+/// Errors: those of importDems(), readOsm(), readLand() and buildStreets(); bounds that are none; files that
+/// cannot be written.
 foundation::Result<Report> build(const Request& request);
 
-/// Looks by brute force for what stands wrong in a world: a folder with world.roam, or a .roam file. The report is not sound where
-/// anything does. Errors: those of readRoamFile(), loadRoadTile(), importShapes() and importFeatures().
+/// Looks by brute force for what stands wrong in a world: a folder with world.roam, or a .roam file. The
+/// report is not sound where anything does. Errors: those of readRoamFile(), loadRoadTile(), importShapes()
+/// and importFeatures().
 foundation::Result<Report> check(const std::filesystem::path& world);
 
 } // namespace worldtool

@@ -17,11 +17,12 @@
 namespace worldtool
 {
 
-/// The ground of elevation data, and the rectangle of degrees around its corners; there need not be ground everywhere in it.
+/// The ground of elevation data, and the rectangle of degrees around its corners; there need not be ground
+/// everywhere in it.
 struct EarthGround
 {
-    worldmaking::GroundOnEarth
-        heightM; ///< by latitude and longitude, in the datum of the samples; nothing within 5 m of the data's edge
+    /// by latitude and longitude, in the datum of the samples; nothing within 5 m of the data's edge
+    worldmaking::GroundOnEarth heightM;
     worldmaking::MapBounds bounds;
     std::shared_ptr<const osgTerrainROAM::core::PlacedTile> tile;
     /// Where the ground is in the scene that shows the data: metres east and north of their middle, and up.

@@ -28,7 +28,8 @@ struct LaneStart
     double s = 0.0;
 };
 
-/// The place of a road between settlements from which one comes to the town after the fewest metres beyond kBeforeTownM.
+/// The place of a road between settlements from which one comes to the town after the fewest metres beyond
+/// kBeforeTownM.
 std::optional<LaneStart> startBefore(const glm::dvec2& town, const osgRoads::core::RoadNetwork& network)
 {
     std::optional<LaneStart> best;

@@ -27,9 +27,10 @@ struct RideSource
         placeInScene; ///< where the ground is in the scene that shows the world
 };
 
-/// Writes scenarios of a made-up world (OpenSCENARIO): drive.xosc, a car that a driver drives into the town or else along the longest road,
-/// with traffic on the roads around it and an aircraft in the circuit of the airfield; circuit.xosc, the same seen from the aircraft.
-/// The second only where there is a runway; none without roads. Errors: files that cannot be written.
+/// Writes scenarios of a made-up world (OpenSCENARIO): drive.xosc, a car that a driver drives into the town
+/// or else along the longest road, with traffic on the roads around it and an aircraft in the circuit of the
+/// airfield; circuit.xosc, the same seen from the aircraft. The second only where there is a runway; none
+/// without roads. Errors: files that cannot be written.
 foundation::Outcome writeRides(const RideSource& source, const std::filesystem::path& world);
 
 } // namespace worldtool

@@ -200,7 +200,8 @@ foundation::Outcome WorldMaker::makeHouses(const worldmaking::MapPlane& plane,
     return part("buildings.gpkg", [&](const auto& path) { return worldmaking::writeHouses(_houses, path); });
 }
 
-/// Gives what the map says nothing of the kinds of the land-cover raster; without one, woods by rule. What is made up leaves nothing open.
+/// Gives what the map says nothing of the kinds of the land-cover raster; without one, woods by rule. What is
+/// made up leaves nothing open.
 void WorldMaker::fillCover(worldmaking::CoverRaster& cover, const worldmaking::MapPlane& plane,
                            const worldmaking::RoadRoom& room, worldmaking::LandReport& land) const
 {

@@ -47,7 +47,8 @@ struct WorldSource
     CoverOnEarth coverAt{};                ///< empty: there is no raster of it
 };
 
-/// A step of a build, and the per cent of the time of a build that it takes: measured on a gentle degree tile.
+/// A step of a build, and the per cent of the time of a build that it takes: measured on a gentle degree
+/// tile.
 struct BuildStep
 {
     const char* name;

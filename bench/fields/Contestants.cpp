@@ -53,7 +53,8 @@ osg::ref_ptr<osg::Node> lodOf(const ProgressiveShape& shape, double trianglePx, 
     double from = 0.0;
     for (std::size_t i = 0; i < kShares.size(); ++i)
     {
-        // A level ends where the sphere covers half of the pixels that its faces are to cover, as in AreaRows::halving().
+        // A level ends where the sphere covers half of the pixels that its faces are to cover, as in
+        // AreaRows::halving().
         const double leastPx = 0.5 * kShares[i] * levels.faces.front() * trianglePx;
         const double to = pixelsPerTangent * shape.sphere().radius * std::sqrt(std::numbers::pi / leastPx);
         const bool isLast = i + 1 == kShares.size();

@@ -23,8 +23,8 @@ public:
 private:
     using Make = std::function<osg::ref_ptr<osg::Node>()>;
 
-    /// Measures building, memory, the frames of each path, and the error of the image when full detail has been
-    /// flown.
+    /// Measures building, memory, the frames of each path, and the error of the image when full detail has
+    /// been flown.
     Json flown(const std::string& name, const Make& make, int frames);
 
     /// Returns a row for each number of pixels that a face may cover.

@@ -13,8 +13,8 @@
 namespace fieldbench
 {
 
-/// A straight path of the camera over the landscape: its height above the ground, the slope of its line of sight (negative:
-/// down), and the distance between frames.
+/// A straight path of the camera over the landscape: its height above the ground, the slope of its line of
+/// sight (negative: down), and the distance between frames.
 struct Path
 {
     const char* name;
@@ -33,8 +33,8 @@ public:
 
     Stage(osgOffscreen::OffscreenViewer& viewer, const Request& request);
 
-    /// Flies a path and returns the times of its frames, the least of some rounds; with 0 frames, those of the
-    /// compared images.
+    /// Flies a path and returns the times of its frames, the least of some rounds; with 0 frames, those of
+    /// the compared images.
     Json fly(const std::string& name, osg::Node& objects, const Path& path, int frames);
 
     /// Returns the root mean square difference of the images of two contestants, in levels of 255.

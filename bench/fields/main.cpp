@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// field_bench: measures a landscape of thousands of objects as a progressive field, as osg::LODs of five levels, and in full
-// detail: times, triangles, memory and error of the picture, in one run.
+// field_bench: measures a landscape of thousands of objects as a progressive field, as osg::LODs of five
+// levels, and in full detail: times, triangles, memory and error of the picture, in one run.
 #include <foundation/WholeFile.h>
 
 #include "Race.h"

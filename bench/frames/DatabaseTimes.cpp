@@ -58,7 +58,8 @@ void build(Candidate& candidate)
     candidate.buildMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Returns the triangles of the last frame. Tiles out of sight keep the numbers of an earlier frame, which do not count.
+/// Returns the triangles of the last frame. Tiles out of sight keep the numbers of an earlier frame, which do
+/// not count.
 std::uint64_t trianglesOf(const Candidate& candidate)
 {
     std::map<unsigned int, std::uint64_t> byFrame{{0, candidate.drawn.triangles}};

@@ -11,8 +11,8 @@
 namespace framebench
 {
 
-/// The appearance of the ground. Every one shades with maps of the full resolution, so that levels of detail differ
-/// in their triangles only.
+/// The appearance of the ground. Every one shades with maps of the full resolution, so that levels of detail
+/// differ in their triangles only.
 enum class Look
 {
     full,     ///< TerrainMaterial as it is
@@ -29,9 +29,9 @@ constexpr std::string_view lookName(Look look)
 /// Returns the StateSet of the material with the program of a look.
 osg::ref_ptr<osg::StateSet> lookState(const osgTerrainROAM::TerrainMaterial& material, Look look);
 
-/// Returns the program of a look for geometry without grid coordinates, whose gl_Vertex is in a shifted frame, as
-/// that of osgTerrain: the same fragment shader after another vertex shader, which computes grid coordinates with the
-/// uniform `benchSpacing`. It reads the uniforms of EyeUniforms.
+/// Returns the program of a look for geometry without grid coordinates, whose gl_Vertex is in a shifted
+/// frame, as that of osgTerrain: the same fragment shader after another vertex shader, which computes grid
+/// coordinates with the uniform `benchSpacing`. It reads the uniforms of EyeUniforms.
 osg::ref_ptr<osg::Program> plainVertexProgram(const osgTerrainROAM::TerrainMaterial& material, Look look);
 
 } // namespace framebench

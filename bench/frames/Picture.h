@@ -20,7 +20,8 @@ struct Picture
     std::size_t pixels() const { return values.size() / 3; }
 };
 
-/// Returns an image whose pixels are the means of `n`² pixels, rounded to whole levels as a capture of 8 bits is.
+/// Returns an image whose pixels are the means of `n`² pixels, rounded to whole levels as a capture of 8 bits
+/// is.
 Picture boxFiltered(const osg::Image& image, int n);
 
 Picture difference(const Picture& a, const Picture& b);
@@ -29,8 +30,9 @@ Picture difference(const Picture& a, const Picture& b);
 foundation::Outcome writePicture(const Picture& picture, int gain, const std::filesystem::path& file);
 
 /// Finds the silhouettes: pixels where the distance of the ground, drawn in Look::distance, jumps, and their
-/// neighbours. There a level of detail moves an edge by a part of a pixel. The reciprocal of the distance of a plane
-/// is nearly linear over the image; a jump is where its second difference is a twentieth of its value.
+/// neighbours. There a level of detail moves an edge by a part of a pixel. The reciprocal of the distance of
+/// a plane is nearly linear over the image; a jump is where its second difference is a twentieth of its
+/// value.
 std::vector<bool> silhouettes(const osg::Image& distance);
 
 /// Returns the union of both sets, widened by one pixel.

@@ -16,7 +16,8 @@ constexpr Look kLooks[] = {Look::full, Look::relief};
 
 using Edges = std::vector<std::vector<bool>>; ///< by frame and pixel
 
-/// Returns, for each frame, the silhouettes of the full mesh in it and in the frame before, widened by a pixel.
+/// Returns, for each frame, the silhouettes of the full mesh in it and in the frame before, widened by a
+/// pixel.
 Edges edgesOf(const Request& request, Stage& stage, osg::Node* full)
 {
     stage.show(full, lookState(*request.material, Look::distance), false);
@@ -123,8 +124,8 @@ foundation::Outcome measure(const Request& request, const Antialiasing& way, Sta
 foundation::Result<Report> measurePop(const Request& request)
 {
     const osg::ref_ptr<osg::Node> full = fullGrid(request.tile->tile, kFullGridPatchCells);
-    // No stage is closed before the end. Otherwise OSG would give its context number to the next stage, and nodes that both
-    // draw would expect their buffers in the new context.
+    // No stage is closed before the end. Otherwise OSG would give its context number to the next stage, and
+    // nodes that both draw would expect their buffers in the new context.
     std::vector<std::unique_ptr<Stage>> stages;
     const auto open = [&](const osgOffscreen::OffscreenSettings& picture) -> foundation::Outcome
     {

@@ -24,8 +24,8 @@ enum class Following
 };
 
 /// One setting of the level of detail in one look, and the popping that its images show along the flight.
-/// D_t = LOD_t − Full_t, both from the camera of frame t; Δ_t = D_t − D_{t−1}. Pop_t = LOD_t − the mesh of frame t−1
-/// from the camera of frame t: the effect of the change of the mesh alone.
+/// D_t = LOD_t − Full_t, both from the camera of frame t; Δ_t = D_t − D_{t−1}. Pop_t = LOD_t − the mesh of
+/// frame t−1 from the camera of frame t: the effect of the change of the mesh alone.
 class PopRow
 {
 public:
@@ -43,8 +43,8 @@ public:
 
     Look look() const { return _setting.look; }
 
-    /// Draws a frame and counts it. `full`: the image of the full mesh; `edges`: its silhouettes and those of the
-    /// frame before. Errors: images that cannot be written.
+    /// Draws a frame and counts it. `full`: the image of the full mesh; `edges`: its silhouettes and those of
+    /// the frame before. Errors: images that cannot be written.
     foundation::Outcome frame(int frame, const Picture& full, const std::vector<bool>& edges);
 
     Report json() const;

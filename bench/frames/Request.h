@@ -50,16 +50,17 @@ struct Request
 
 using Report = nlohmann::ordered_json;
 
-/// Measures milliseconds a frame of each way to draw the terrain, in turns along the flight. Errors: no such graphics
-/// context.
+/// Measures milliseconds a frame of each way to draw the terrain, in turns along the flight. Errors: no such
+/// graphics context.
 foundation::Result<Report> measureFrames(const Request& request);
 
-/// Measures milliseconds a frame of a database of osgTerrain tiles with the GeometryTechnique of osgTerrain and with
-/// ours, in turns along the flight. Errors: no such graphics context; tiles that do not divide the square.
+/// Measures milliseconds a frame of a database of osgTerrain tiles with the GeometryTechnique of osgTerrain
+/// and with ours, in turns along the flight. Errors: no such graphics context; tiles that do not divide the
+/// square.
 foundation::Result<Report> measureDatabase(const Request& request);
 
-/// Measures how much the difference from the images of the full mesh changes between frames. Errors: no such graphics
-/// context; images that cannot be written.
+/// Measures how much the difference from the images of the full mesh changes between frames. Errors: no such
+/// graphics context; images that cannot be written.
 foundation::Result<Report> measurePop(const Request& request);
 
 } // namespace framebench

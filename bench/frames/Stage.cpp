@@ -19,7 +19,8 @@ namespace
 /// The period of wrapped positions, the same as in RoamDrawable's draw.
 constexpr double kWrapM = 4096.0;
 
-/// Waits at the swap until the renderer has finished the frame, so that the time of a frame includes the drawing.
+/// Waits at the swap until the renderer has finished the frame, so that the time of a frame includes the
+/// drawing.
 struct FinishAtSwap : public osg::GraphicsContext::SwapCallback
 {
     void swapBuffersImplementation(osg::GraphicsContext* context) override

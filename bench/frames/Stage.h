@@ -24,12 +24,13 @@ struct FrameCost
     double cpuMs = 0.0; ///< of all threads of the process; least affected by other programs
 };
 
-/// An offscreen scene with sky and atmosphere that draws one node at a time in a look. It sets the uniforms that
-/// RoamDrawable sets for its shader to the same values for all other nodes. Threads: one.
+/// An offscreen scene with sky and atmosphere that draws one node at a time in a look. It sets the uniforms
+/// that RoamDrawable sets for its shader to the same values for all other nodes. Threads: one.
 class Stage
 {
 public:
-    /// `samples`: per pixel, as OffscreenSettings; `vertexStepM`: of the tile that is drawn. Errors: no such context.
+    /// `samples`: per pixel, as OffscreenSettings; `vertexStepM`: of the tile that is drawn. Errors: no such
+    /// context.
     static foundation::Result<std::unique_ptr<Stage>> open(const osgOffscreen::OffscreenSettings& settings,
                                                            double vertexStepM);
 

@@ -10,9 +10,9 @@
 namespace framebench
 {
 
-/// Makes the tile as osgTerrain draws it: an osgTerrain::Terrain with default settings (sample ratio 1) over one
-/// TerrainTile with a HeightFieldLayer and osgTerrain::GeometryTechnique. It has the fragment shader of the look;
-/// without a material it keeps the fixed-function light of OSG on the normals of the technique.
+/// Makes the tile as osgTerrain draws it: an osgTerrain::Terrain with default settings (sample ratio 1) over
+/// one TerrainTile with a HeightFieldLayer and osgTerrain::GeometryTechnique. It has the fragment shader of
+/// the look; without a material it keeps the fixed-function light of OSG on the normals of the technique.
 osg::ref_ptr<osg::Node> terrainTechnique(const osgTerrainROAM::core::PlacedTile& tile,
                                          const osgTerrainROAM::TerrainMaterial* material, Look look);
 

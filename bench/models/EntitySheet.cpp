@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// entity_sheet FOLDER [NAME]: draws pictures of moving entities from near by: each category from its left side, its front right and its back left,
-// walks in four phases, lamps in four states, wheels that steer; FOLDER/entities.png has them all. Prints counts.
+// entity_sheet FOLDER [NAME]: draws pictures of moving entities from near by: each category from its left
+// side, its front right and its back left, walks in four phases, lamps in four states, wheels that steer;
+// FOLDER/entities.png has them all. Prints counts.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// model_sheet FOLDER [KIND [SEED [DISTANCE]]]: draws pictures of generated models, three of each kind (or of one): from its front right and
-// its back left at eye level, and from 150 m away, 45 m up, through a longer lens; FOLDER/models.png has them all. Prints sizes and counts.
+// model_sheet FOLDER [KIND [SEED [DISTANCE]]]: draws pictures of generated models, three of each kind (or of
+// one): from its front right and its back left at eye level, and from 150 m away, 45 m up, through a longer
+// lens; FOLDER/models.png has them all. Prints sizes and counts.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -26,7 +27,8 @@ using scenery::models::KindFacts;
 
 constexpr double kEyeM = 1.7;
 
-/// Returns the three views of a model. `distanceM`: of the two near views; 0: far enough to see the whole model.
+/// Returns the three views of a model. `distanceM`: of the two near views; 0: far enough to see the whole
+/// model.
 std::vector<View> viewsOf(const scenery::models::Model& model, double distanceM)
 {
     const double whole = std::max(2.5 * model.radiusM, 1.55 * model.heightM + 0.5 * model.radiusM);

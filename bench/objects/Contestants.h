@@ -20,12 +20,13 @@ struct Contestant
 };
 
 /// Orders of the faces of one model: plain VIPM, tswap (*Cache-friendly view-independent progressive meshes*,
-/// Graphicon 2003), ours, all drawn by ProgressiveDrawable; and each level as static geometry in a new cache-friendly
-/// order.
+/// Graphicon 2003), ours, all drawn by ProgressiveDrawable; and each level as static geometry in a new
+/// cache-friendly order.
 std::vector<Contestant> contestantsOf(const osgPMObjects::core::Mesh& mesh,
                                       const osgPMObjects::core::CollapseSequence& sequence);
 
-/// Those that can follow a moving level: plain VIPM, tswap with several numbers of orderings between all faces and none, ours.
+/// Those that can follow a moving level: plain VIPM, tswap with several numbers of orderings between all
+/// faces and none, ours.
 std::vector<Contestant> movingContestantsOf(const osgPMObjects::core::Mesh& mesh,
                                             const osgPMObjects::core::CollapseSequence& sequence);
 

@@ -6,8 +6,8 @@
 namespace objectbench
 {
 
-/// A final draw callback that waits until the frame is complete; otherwise the threads of llvmpipe would paint it
-/// during the next frame.
+/// A final draw callback that waits until the frame is complete; otherwise the threads of llvmpipe would
+/// paint it during the next frame.
 struct Finish : osg::Camera::DrawCallback
 {
     void operator()(osg::RenderInfo&) const override { glFinish(); }

@@ -22,7 +22,8 @@ using Json = Race::Json;
 namespace
 {
 
-/// Returns the means over all levels, by contestant: time, invocations, and frame rate as a multiple of plain VIPM's.
+/// Returns the means over all levels, by contestant: time, invocations, and frame rate as a multiple of plain
+/// VIPM's.
 Json summaryOf(const Json& rows, const std::vector<Contestant>& contestants)
 {
     Json summary;

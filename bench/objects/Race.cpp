@@ -13,8 +13,8 @@ namespace objectbench
 namespace
 {
 
-/// Frames that are drawn before measuring. After a jump to a distant level its faces have the order of the finest level;
-/// the arranged order follows within these frames.
+/// Frames that are drawn before measuring. After a jump to a distant level its faces have the order of the
+/// finest level; the arranged order follows within these frames.
 constexpr int kSettling = 24;
 
 } // namespace
@@ -64,7 +64,8 @@ Race::Json Race::run(const std::vector<Contestant>& contestants, const std::vect
     return rows;
 }
 
-/// The least time of frames at rest, since other programs only add to it; the median of moving ones, half of which go each way.
+/// The least time of frames at rest, since other programs only add to it; the median of moving ones, half of
+/// which go each way.
 double Race::shownMs(std::vector<double> times) const
 {
     std::sort(times.begin(), times.end());

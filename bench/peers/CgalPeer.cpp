@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// peer_cgal IN.obj FOLDER COUNT…: writes FOLDER/COUNT.obj for each count of faces, simplified by CGAL's edge collapse with the cost and
-// placement of Lindstrom and Turk. CGAL's mesh packages are GPL, so this program is only for measuring and never installed.
+// peer_cgal IN.obj FOLDER COUNT…: writes FOLDER/COUNT.obj for each count of faces, simplified by CGAL's edge
+// collapse with the cost and placement of Lindstrom and Turk. CGAL's mesh packages are GPL, so this program
+// is only for measuring and never installed.
 #include <chrono>
 #include <cstdlib>
 #include <iostream>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// bisection_sheet FOLDER: draws ROAM over coarse meshes into FOLDER/bisection.png. From top to bottom: ground with a tower of a TIN in one of
-// its triangles, for an eye near it and for one that is far; a sphere, for an eye near it, from there and from aside; a cliff that leans over,
-// the same way. Triangles of the TIN are orange. Prints counts of triangles.
+// bisection_sheet FOLDER: draws ROAM over coarse meshes into FOLDER/bisection.png. From top to bottom: ground
+// with a tower of a TIN in one of its triangles, for an eye near it and for one that is far; a sphere, for an
+// eye near it, from there and from aside; a cliff that leans over, the same way. Triangles of the TIN are
+// orange. Prints counts of triangles.
 #include <cstdio>
 #include <filesystem>
 
@@ -128,7 +129,8 @@ BisectionSurface madeGround()
 /// A round tower whose platform leans out, in the middle of a triangle.
 BisectionPatch tower(const BisectionSurface& surface, Bisector carrier)
 {
-    // Rings: radius in the plane of the weights; radius and height where they are drawn. The first two lie on the ground.
+    // Rings: radius in the plane of the weights; radius and height where they are drawn. The first two lie on
+    // the ground.
     constexpr double kRings[][3] = {{0.18, 0.18, 0.00}, {0.16, 0.13, 0.00}, {0.14, 0.11, 0.22},
                                     {0.12, 0.15, 0.26}, {0.10, 0.15, 0.30}, {0.08, 0.12, 0.30},
                                     {0.06, 0.11, 0.27}, {0.03, 0.04, 0.27}};

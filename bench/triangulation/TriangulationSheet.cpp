@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// triangulation_sheet FILE.mt FOLDER: draws pictures of a multi-triangulation. FOLDER/ground.png: the ground by it and by ROAM at the same
-// tolerance, as it looks and as triangles. From above, the triangles coloured by their trees: FOLDER/states.png, as figure 2 of the paper
-// has it, the main part, the main part with one tree, the root and the drain; FOLDER/zone.png, the zone around two eyes. Prints counts of
-// triangles.
+// triangulation_sheet FILE.mt FOLDER: draws pictures of a multi-triangulation. FOLDER/ground.png: the ground
+// by it and by ROAM at the same tolerance, as it looks and as triangles. From above, the triangles coloured
+// by their trees: FOLDER/states.png, as figure 2 of the paper has it, the main part, the main part with one
+// tree, the root and the drain; FOLDER/zone.png, the zone around two eyes. Prints counts of triangles.
 // Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), figure 2.
 #include <algorithm>
 #include <cstdio>
@@ -166,7 +166,8 @@ void drawStates(const core::MtFile& file, const std::filesystem::path& folder,
     write(*planPicture(extraction, "drain"), folder / "drain.png", files);
 }
 
-/// Around eyes on the way from the south-west to the north-east, with nothing loaded beyond a quarter of the extent.
+/// Around eyes on the way from the south-west to the north-east, with nothing loaded beyond a quarter of the
+/// extent.
 void drawZone(const core::MtFile& file, const std::filesystem::path& folder,
               std::vector<std::filesystem::path>& files)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// vdpm_sheet DEM FOLDER: draws triangles of view-dependent progressive meshes. FOLDER/vdpm.png, in rows: the ground from an eye by VDPM,
-// and by ROAM at the same tolerance; a rock as it is refined for an eye outside that draws its front faces, and the same mesh from behind;
-// the rock refined for an eye inside that draws its back faces, and the same mesh from outside, on the side that this eye looks at and
-// on the other. Prints counts of triangles.
+// vdpm_sheet DEM FOLDER: draws triangles of view-dependent progressive meshes. FOLDER/vdpm.png, in rows: the
+// ground from an eye by VDPM, and by ROAM at the same tolerance; a rock as it is refined for an eye outside
+// that draws its front faces, and the same mesh from behind; the rock refined for an eye inside that draws
+// its back faces, and the same mesh from outside, on the side that this eye looks at and on the other. Prints
+// counts of triangles.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -109,7 +110,8 @@ void drawGround(const std::string& dem, const std::filesystem::path& folder, Fil
     }
 }
 
-/// A closed rock of about 20 m with bumps of several sizes: an octahedron whose faces are cut into grids, on a ball.
+/// A closed rock of about 20 m with bumps of several sizes: an octahedron whose faces are cut into grids, on
+/// a ball.
 osgPMObjects::core::Mesh rock()
 {
     constexpr int kColumns = 160, kRows = 80;

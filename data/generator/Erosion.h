@@ -19,15 +19,16 @@ struct ErosionRates
     float deposition = 0.0f; ///< G: share of the sediment in a river that settles, over its mean erosion
 };
 
-/// Computes one step of dh/dt = U − K·√A·S + G·Q/A, with Q the sediment from upstream. It is implicit in h and therefore stable for
-/// any step. Slopes above the critical one slide down to it. Rivers that leave the mountains build fans and plains.
+/// Computes one step of dh/dt = U − K·√A·S + G·Q/A, with Q the sediment from upstream. It is implicit in h
+/// and therefore stable for any step. Slopes above the critical one slide down to it. Rivers that leave the
+/// mountains build fans and plains.
 /// Cost: a few passes over the network, O(n).
 /// Source: Braun & Willett 2013, equations 21–23 with m = 0.5, n = 1; Yuan et al. 2019, equation 9, for the
 /// sediment, solved by a fixed number of repetitions. Ours: sliding in the same pass.
 void erodeRivers(Grid<float>& heightM, const DrainageNetwork& network, const ErosionRates& rates);
 
-/// Computes one step of dh/dt = div(D grad h), implicit along the rows and then along the columns; cells with `isBase` stay. Creates
-/// no new maximum or minimum along a line. Cost: O(n).
+/// Computes one step of dh/dt = div(D grad h), implicit along the rows and then along the columns; cells with
+/// `isBase` stay. Creates no new maximum or minimum along a line. Cost: O(n).
 /// Source: locally one-dimensional scheme, Samarskii 1962.
 void creep(Grid<float>& heightM, const Grid<float>& creepCells2, const Grid<std::uint8_t>& isBase);
 

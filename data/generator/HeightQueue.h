@@ -9,8 +9,8 @@ namespace islandgen
 {
 
 /// A monotone priority queue of cells: no key falls below the last one taken, as in a flood.
-/// Buckets of equal height range become heaps only when the flood reaches them, so the heaps stay small and in cache. Equal
-/// heights leave in the order of their cell numbers.
+/// Buckets of equal height range become heaps only when the flood reaches them, so the heaps stay small and
+/// in cache. Equal heights leave in the order of their cell numbers.
 /// Invariant: no waiting entry is lower than the last taken.
 /// Cost: O(log of a bucket's size) per entry.
 class HeightQueue

@@ -10,8 +10,8 @@ namespace islandgen
 /// The side of the square that holds the island.
 inline constexpr float kExtentKm = 24.576f;
 
-/// The input of the erosion: uplift, rock and coast by cell. Its large lines (coast, mountain range, western hills, lone hills) are
-/// drawn by hand, everything smaller is random.
+/// The input of the erosion: uplift, rock and coast by cell. Its large lines (coast, mountain range, western
+/// hills, lone hills) are drawn by hand, everything smaller is random.
 /// Frame: kilometres east and north of the south-west corner. Units: in the names.
 struct IslandPlan
 {

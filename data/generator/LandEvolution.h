@@ -17,8 +17,9 @@ struct Land
     Grid<std::uint8_t> isSea;
 };
 
-/// Simulates uplift and river erosion of an island: first on a coarse grid for a long time, then on ever finer grids, each for a
-/// shorter time. So large valleys are old and small ones young, and the cost is about that of ten steps on the finest grid.
+/// Simulates uplift and river erosion of an island: first on a coarse grid for a long time, then on ever
+/// finer grids, each for a shorter time. So large valleys are old and small ones young, and the cost is about
+/// that of ten steps on the finest grid.
 /// `side`: 2^n+1, at least 129.
 Land evolveLand(const IslandPlan& plan, int side, Noise noise);
 

@@ -13,8 +13,8 @@ float interpolated(const Grid<float>& grid, float column, float row);
 /// Resamples the square to a grid of another side; the corners stay where they are.
 Grid<float> resampled(const Grid<float>& grid, int side);
 
-/// Resamples with every position moved by smooth noise. The move is continuous: valleys stay connected, and valleys along the
-/// grid's eight directions become curved.
+/// Resamples with every position moved by smooth noise. The move is continuous: valleys stay connected, and
+/// valleys along the grid's eight directions become curved.
 /// Units: wavelength and amplitude in cells of the result.
 Grid<float> resampledBent(const Grid<float>& grid, int side, Noise noise, float wavelength, float amplitude);
 

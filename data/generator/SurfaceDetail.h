@@ -7,8 +7,8 @@
 namespace islandgen
 {
 
-/// Adds rock steps and gullies of 25 to 200 m, which are too small for the erosion's grid: nothing where the ground is flatter than
-/// 1 in 5, up to some metres on steep walls.
+/// Adds rock steps and gullies of 25 to 200 m, which are too small for the erosion's grid: nothing where the
+/// ground is flatter than 1 in 5, up to some metres on steep walls.
 void roughenSlopes(Grid<float>& heightM, float cellM, Noise noise);
 
 } // namespace islandgen

@@ -31,7 +31,8 @@ struct Terrain
 /// Errors: another side. Cost: about 4 µs per cell. Deterministic: seed and side decide every bit.
 foundation::Result<Terrain> generateTerrain(std::uint64_t seed, int side);
 
-/// FNV-1a over the heights in steps of kHeightStepM, as little-endian 32-bit integers, row by row from the south.
+/// FNV-1a over the heights in steps of kHeightStepM, as little-endian 32-bit integers, row by row from the
+/// south.
 std::uint64_t terrainHash(const Grid<float>& heightM);
 
 /// The committed hash of a terrain, for those seeds and sides that have one.

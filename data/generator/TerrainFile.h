@@ -10,8 +10,8 @@
 namespace islandgen
 {
 
-/// Position of the terrain's middle sample: UTM zone 32 north on WGS84, in the open Ligurian Sea (43.60 N, 8.21 E), where there is no
-/// island.
+/// Position of the terrain's middle sample: UTM zone 32 north on WGS84, in the open Ligurian Sea (43.60 N,
+/// 8.21 E), where there is no island.
 inline constexpr double kCentreEastingM = 436000.0;
 inline constexpr double kCentreNorthingM = 4828000.0;
 

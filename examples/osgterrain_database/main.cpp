@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows a database of osgTerrain tiles with our technique: osgterrain_database [db.osgb] [--tolerance PIXELS] [--once]
-// Without a file it makes four tiles itself, as for stock osgTerrain. A file needs only installTechnique(), also for
-// its paged children.
+// Shows a database of osgTerrain tiles with our technique: osgterrain_database [db.osgb] [--tolerance PIXELS]
+// [--once] Without a file it makes four tiles itself, as for stock osgTerrain. A file needs only
+// installTechnique(), also for its paged children.
 #include <cmath>
 #include <cstdio>
 

@@ -9,8 +9,8 @@
 namespace measurement
 {
 
-/// A camera on a random walk of at most half a cell a frame in each axis. Every hundredth frame it jumps to a random
-/// position 300 m above the ground. The same on every machine.
+/// A camera on a random walk of at most half a cell a frame in each axis. Every hundredth frame it jumps to a
+/// random position 300 m above the ground. The same on every machine.
 class RandomWalk
 {
 public:

@@ -37,7 +37,8 @@ struct RasterCrop
     }
 };
 
-/// Returns the side of the cells of such a square: cells of whole seconds of arc count as squares of 30 m a second, as in all figures on these terrains.
+/// Returns the side of the cells of such a square: cells of whole seconds of arc count as squares of 30 m a
+/// second, as in all figures on these terrains.
 inline double nominalCellM(double spacingM)
 {
     const double seconds = std::round(spacingM / 30.0);
@@ -45,8 +46,9 @@ inline double nominalCellM(double spacingM)
                                                                                    : spacingM;
 }
 
-/// Returns the square that `crop` names (side, then the first column and row from the north), in the middle where that tells no place,
-/// the largest of 2^n+1 samples where it is empty. It may not lie within the raster.
+/// Returns the square that `crop` names (side, then the first column and row from the north), in the middle
+/// where that tells no place, the largest of 2^n+1 samples where it is empty. It may not lie within the
+/// raster.
 inline RasterCrop rasterCrop(const osgTerrainROAM::core::HeightField& all, const std::vector<int>& crop)
 {
     int cells = 2;

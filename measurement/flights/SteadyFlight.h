@@ -13,10 +13,10 @@
 namespace measurement
 {
 
-/// A camera that moves as a vehicle does: 60 frames a second over a square tile with planar placement, straight ahead
-/// at a constant speed, at a height above the smoothed ground; the heading oscillates by some degrees in eight
-/// seconds. At speed 0 it does not move. BenchmarkFlight measures the largest changes, this flight measures what a
-/// viewer sees.
+/// A camera that moves as a vehicle does: 60 frames a second over a square tile with planar placement,
+/// straight ahead at a constant speed, at a height above the smoothed ground; the heading oscillates by some
+/// degrees in eight seconds. At speed 0 it does not move. BenchmarkFlight measures the largest changes, this
+/// flight measures what a viewer sees.
 /// Units: metres, seconds; the field of view is horizontal.
 struct SteadyFlight
 {
@@ -44,7 +44,8 @@ struct SteadyFlight
         return glm::lookAt(from, from + ahead, glm::dvec3(0, 0, 1));
     }
 
-    /// Returns the projection. The nearest drawn ground is about as far as the camera is high; depth has 24 bits.
+    /// Returns the projection. The nearest drawn ground is about as far as the camera is high; depth has 24
+    /// bits.
     glm::dmat4 projection(double aspect) const
     {
         const double fovY = 2.0 * std::atan(std::tan(std::numbers::pi / 6.0) / aspect);
@@ -55,8 +56,8 @@ private:
     static glm::dvec2 along() { return {0.8, 0.6}; }
     double metresAt(int frame) const { return speedMps * frame / kFramesPerSecond; }
 
-    /// Returns the mean height of the ground from two camera heights behind to two ahead, because a vehicle does not
-    /// follow each bump.
+    /// Returns the mean height of the ground from two camera heights behind to two ahead, because a vehicle
+    /// does not follow each bump.
     double smoothGroundM(const osgTerrainROAM::core::PlacedTile& tile, const glm::dvec2& place) const
     {
         constexpr int kHalf = 16;

@@ -13,7 +13,8 @@ namespace osgOffscreen
 namespace
 {
 
-/// Converts RGBA to RGB. The transfer from GL is RGBA, the format of the image in memory, and so a plain copy.
+/// Converts RGBA to RGB. The transfer from GL is RGBA, the format of the image in memory, and so a plain
+/// copy.
 osg::ref_ptr<osg::Image> withoutAlpha(const unsigned char* rgba, int widthPx, int heightPx)
 {
     osg::ref_ptr<osg::Image> picture = new osg::Image;

@@ -14,9 +14,10 @@
 namespace
 {
 
-/// The osgDB plugin for progressive meshes: osgviewer model.pm, osgconv model.ac model.pm. It makes a progressive object of any other node
-/// that is written. Options, as words of the option string: "quantised" for vertices in 16 and 8 bits; "measured" for the measured
-/// errors of levels, where the object is made here (seconds for a large model).
+/// The osgDB plugin for progressive meshes: osgviewer model.pm, osgconv model.ac model.pm. It makes a
+/// progressive object of any other node that is written. Options, as words of the option string: "quantised"
+/// for vertices in 16 and 8 bits; "measured" for the measured errors of levels, where the object is made here
+/// (seconds for a large model).
 /// Errors: the message of the result is that of the Error, with file, what is wrong and the remedy.
 class ReaderWriterPm : public osgDB::ReaderWriter
 {

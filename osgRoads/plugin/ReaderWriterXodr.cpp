@@ -12,9 +12,9 @@
 namespace
 {
 
-/// osgDB's way to road networks: osgviewer town.xodr shows the surface of its roads with their marks, without ground (for that:
-/// trainer tour town.xodr). Options, as words of the option string: "farthest=METRES" and "tolerance=PIXELS", the members of
-/// RoadViewSettings.
+/// osgDB's way to road networks: osgviewer town.xodr shows the surface of its roads with their marks, without
+/// ground (for that: trainer tour town.xodr). Options, as words of the option string: "farthest=METRES" and
+/// "tolerance=PIXELS", the members of RoadViewSettings.
 class ReaderWriterXodr : public osgTraversal::NodeReader
 {
 public:

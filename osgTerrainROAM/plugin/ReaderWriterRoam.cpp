@@ -12,10 +12,10 @@
 namespace
 {
 
-/// osgDB's way to our terrains. An existing file that ends in .roam is a text that describes one; of any other name
-/// the suffix is taken off and the rest opened as elevation raster: osgviewer dem.tif.roam, osgviewer
-/// /vsigzip/dem.hgt.gz.roam. What GDAL does not know and osgDB does is a database: its osgTerrain tiles, those of paged
-/// files as well, are drawn by RoamTechnique: osgviewer db.osgb.roam.
+/// osgDB's way to our terrains. An existing file that ends in .roam is a text that describes one; of any
+/// other name the suffix is taken off and the rest opened as elevation raster: osgviewer dem.tif.roam,
+/// osgviewer /vsigzip/dem.hgt.gz.roam. What GDAL does not know and osgDB does is a database: its osgTerrain
+/// tiles, those of paged files as well, are drawn by RoamTechnique: osgviewer db.osgb.roam.
 class ReaderWriterRoam : public osgTraversal::NodeReader
 {
 public:

@@ -27,8 +27,8 @@ struct SkyKey
     osg::Vec3f zenith, horizon, glow;
 };
 
-/// Sunlight above the air. With it, level ground under a sun of 60 degrees is lit in white, as a camera that is set to daylight shows
-/// it: warm by the sun, blue by the sky.
+/// Sunlight above the air. With it, level ground under a sun of 60 degrees is lit in white, as a camera that
+/// is set to daylight shows it: warm by the sun, blue by the sky.
 const osg::Vec3f kSunAboveAir(2.36f, 2.29f, 2.20f);
 /// Haze as in a layer of this height, even up to its top.
 constexpr float kHazeLayerM = 1200.0f;

@@ -37,8 +37,8 @@ void addTexture(osg::StateSet& stateSet, const char* name, TerrainMaterial::Unit
     stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
 }
 
-/// Computes the scale and offset from grid positions to texture coordinates of a map whose first and last texel centres
-/// are first and last sample.
+/// Computes the scale and offset from grid positions to texture coordinates of a map whose first and last
+/// texel centres are first and last sample.
 osg::Vec4f mapFromGrid(double texelsPerSample, double offsetTexels, int side, bool wide)
 {
     const auto scale = static_cast<float>(texelsPerSample / side);
@@ -46,8 +46,8 @@ osg::Vec4f mapFromGrid(double texelsPerSample, double offsetTexels, int side, bo
     return wide ? osg::Vec4f(scale, 0, offset, 0) : osg::Vec4f(0, scale, 0, offset);
 }
 
-/// Computes by how many texels each layer of the grain bends a border: half a texel by the layers whose features, an eighth of
-/// their period, are finer than texels.
+/// Computes by how many texels each layer of the grain bends a border: half a texel by the layers whose
+/// features, an eighth of their period, are finer than texels.
 osg::Vec4f bendOver(double texelM)
 {
     const auto bend = [=](double periodM)
@@ -94,7 +94,8 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
         _fineNormals = std::make_unique<FineNormals>(tile, *_stateSet, fineIndex, fineNormals);
     setProgram();
     _stateSet->setRenderBinDetails(osgTraversal::DrawOrder::kGround, "RenderBin");
-    // The ground has no underside, and a far slope must not win against the near one in the depth buffer's last step.
+    // The ground has no underside, and a far slope must not win against the near one in the depth buffer's
+    // last step.
     _stateSet->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
 }
 
@@ -222,7 +223,8 @@ void TerrainMaterial::measureHeights(const core::PlacedTile& tile)
 {
     const int column = tile.grid().dataColumns() / 2, row = tile.grid().dataRows() / 2;
     const glm::dvec3 middle = tile.position(column, row);
-    // Seen from the tile's frame the Earth falls away by about d²/2R; a metre more or less does not move a snow line.
+    // Seen from the tile's frame the Earth falls away by about d²/2R; a metre more or less does not move a
+    // snow line.
     const double fall = tile.frame().placement() == core::Placement::curved ? 0.5 / 6371000.0 : 0.0;
     const double over =
         tile.samples().heightM(column, row) - middle.z - fall * (middle.x * middle.x + middle.y * middle.y);

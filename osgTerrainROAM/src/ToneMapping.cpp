@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// From light to the screen: exposure, and the curve of displayColour(), which shaders/Atmosphere.glsl has once more.
-// Sources: ISO 2720, Photography - exposure meters (1974): a meter's reading becomes a medium grey; Dickerson and Zawadzki, Do light
-// meters see the world as 18 % gray? (2008): an outdoor scene reflects 12.4 % in the mean; Stokes et al., A standard default color space for
-// the Internet: sRGB (1996): a picture that is viewed at home has 1.125 times the contrast of what it shows.
+// From light to the screen: exposure, and the curve of displayColour(), which shaders/Atmosphere.glsl has
+// once more.
+// Sources: ISO 2720, Photography - exposure meters (1974): a meter's reading becomes a medium grey; Dickerson
+// and Zawadzki, Do light meters see the world as 18 % gray? (2008): an outdoor scene reflects 12.4 % in the
+// mean; Stokes et al., A standard default color space for the Internet: sRGB (1996): a picture that is viewed
+// at home has 1.125 times the contrast of what it shows.
 #include <algorithm>
 #include <cmath>
 

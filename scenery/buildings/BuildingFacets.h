@@ -12,7 +12,8 @@
 namespace scenery
 {
 
-/// Triangles of one texture, ready for a vertex buffer. Frame: that of an origin of the caller's. Colours as display values.
+/// Triangles of one texture, ready for a vertex buffer. Frame: that of an origin of the caller's. Colours as
+/// display values.
 struct Facets
 {
     std::vector<glm::vec3> positions, normals, colours;
@@ -26,14 +27,16 @@ struct Facets
                     const glm::vec3& colour, const std::vector<float>& skies = {});
 };
 
-/// The facets of buildings: walls and roofs by texture, and windows and doors, which are only worth drawing near by.
+/// The facets of buildings: walls and roofs by texture, and windows and doors, which are only worth drawing
+/// near by.
 struct BuildingFacets
 {
     std::map<models::Painting, Facets> shell;
     Facets openings; ///< of Painting::houseDetails, 4 cm before the walls
 };
 
-/// Adds a building: walls from its foot up to the roof, the roof with its eaves, windows in each storey, a door.
+/// Adds a building: walls from its foot up to the roof, the roof with its eaves, windows in each storey, a
+/// door.
 /// `origin`: of the facets' frame, in the scene. Closed: each wall ends on the roof's planes.
 void addBuilding(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets);
 

@@ -16,8 +16,8 @@ double turnedAreaOf(const PlanRing& ring);
 /// The area that rings enclose: the first without the others.
 double areaOf(const std::vector<PlanRing>& rings);
 
-/// Turns rings so that the outer one runs counter-clockwise and holes clockwise, and leaves out corners nearer than 5 cm to the one
-/// before or within 2 cm of the line between their neighbours.
+/// Turns rings so that the outer one runs counter-clockwise and holes clockwise, and leaves out corners
+/// nearer than 5 cm to the one before or within 2 cm of the line between their neighbours.
 std::vector<PlanRing> tidiedRings(std::vector<PlanRing> rings);
 
 /// Tells whether a place lies within rings, by the even-odd rule.
@@ -34,7 +34,8 @@ struct PlanRectangle
 };
 
 /// Finds it among those with a side along an edge of the ring.
-/// Source: Freeman & Shapira, *Determining the minimum-area encasing rectangle for an arbitrary closed curve*, 1975.
+/// Source: Freeman & Shapira, *Determining the minimum-area encasing rectangle for an arbitrary closed
+/// curve*, 1975.
 PlanRectangle rectangleAround(const PlanRing& ring);
 
 /// Moves the edges of a convex ring outwards; a ring that is not convex comes back as it is.

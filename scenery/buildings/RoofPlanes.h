@@ -25,7 +25,8 @@ public:
     /// The shares 0 … 1 of an edge at which the lowest plane changes, in order, without the ends.
     std::vector<double> breaksOn(const glm::dvec2& from, const glm::dvec2& to) const;
 
-    /// Cuts a triangle of the plan into the parts that lie under one plane each, as convex polygons with the plane's gradient.
+    /// Cuts a triangle of the plan into the parts that lie under one plane each, as convex polygons with the
+    /// plane's gradient.
     struct Part
     {
         std::vector<glm::dvec2> corners;

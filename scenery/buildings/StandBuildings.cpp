@@ -16,7 +16,8 @@ constexpr double kOutlineStepM = 1.0;
 constexpr double kLeastDoorEdgeM = 2.5;
 constexpr double kThresholdM = 0.05; ///< of a floor above the ground at its door
 
-/// The edge of the outer ring whose middle is nearest to the street, of those that are long enough for a door; else the longest one.
+/// The edge of the outer ring whose middle is nearest to the street, of those that are long enough for a
+/// door; else the longest one.
 std::size_t doorEdgeOf(const std::vector<glm::dvec2>& ring, double groundM, const NearestStreet& street)
 {
     glm::dvec2 middle(0.0);

@@ -25,9 +25,11 @@ struct StandingBuildings
     std::size_t beyondGround = 0, unusable = 0;
 };
 
-/// Makes buildings of a map's areas (buildingOf()) and points (towerOf()) and puts them on the ground. The door is on the side of the nearest street,
-/// or on the longest one, and the floor at the ground there; higher where more than kMostSunkM of a wall would lie in the ground, but not by
-/// so much that walls show below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and half a metre into it.
+/// Makes buildings of a map's areas (buildingOf()) and points (towerOf()) and puts them on the ground. The
+/// door is on the side of the nearest street, or on the longest one, and the floor at the ground there;
+/// higher where more than kMostSunkM of a wall would lie in the ground, but not by so much that walls show
+/// below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and half
+/// a metre into it.
 StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground,
                                  const NearestStreet& street = {});
 

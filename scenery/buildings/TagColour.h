@@ -9,7 +9,8 @@
 namespace scenery
 {
 
-/// Reads a colour of a map: #rgb, #rrggbb, or one of some forty names of CSS. Nothing: another text. Units: display values 0 … 1.
+/// Reads a colour of a map: #rgb, #rrggbb, or one of some forty names of CSS. Nothing: another text. Units:
+/// display values 0 … 1.
 std::optional<glm::vec3> colourOfTag(std::string_view text);
 
 } // namespace scenery

@@ -38,7 +38,8 @@ struct KindFacts
 std::span<const KindFacts> kinds();
 const KindFacts& factsOf(Kind kind);
 
-/// Generates an object. Pure: the same kind and seed give the same bytes; threads may generate at the same time.
+/// Generates an object. Pure: the same kind and seed give the same bytes; threads may generate at the same
+/// time.
 /// Cost: 2 to 30 ms.
 Model generate(Kind kind, std::uint64_t seed);
 

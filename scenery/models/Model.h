@@ -46,8 +46,8 @@ enum class Coat : std::uint8_t
     foliage,   ///< visible from both sides with one normal, cut out by the alpha of the texture
 };
 
-/// The texture and the finish of a material. Except for foliage, the alpha of the texture tells how much the vertex
-/// colour tints it.
+/// The texture and the finish of a material. Except for foliage, the alpha of the texture tells how much the
+/// vertex colour tints it.
 struct Surface
 {
     Painting painting = Painting::plaster;
@@ -57,8 +57,8 @@ struct Surface
 };
 
 /// A generated object.
-/// Frame: x forward (vehicles: the way they drive; houses: along the ridge, the entrance looks towards -y), y left, z up; the
-/// ground is z = 0, below the middle. Units: metres; colours as display values.
+/// Frame: x forward (vehicles: the way they drive; houses: along the ridge, the entrance looks towards -y), y
+/// left, z up; the ground is z = 0, below the middle. Units: metres; colours as display values.
 /// Invariant: isModel() of ModelCheck.h.
 struct Model
 {

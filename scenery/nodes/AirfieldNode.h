@@ -22,13 +22,15 @@ struct PapiUnit
     double angleDeg = 3.0;        ///< white is seen above it, red below
 };
 
-/// Returns the four units of a runway's end: at the left edge beside the aiming point, 15 m from the edge and 9 m apart, the
-/// innermost the steepest: 2°30', 2°50', 3°10', 3°30'. `landing`: unit vector. Heights are left 0.
+/// Returns the four units of a runway's end: at the left edge beside the aiming point, 15 m from the edge and
+/// 9 m apart, the innermost the steepest: 2°30', 2°50', 3°10', 3°30'. `landing`: unit vector. Heights are
+/// left 0.
 /// Source: ICAO, *Annex 14*, volume I, 5.3.5; EASA CS-ADR-DSN.L.540 for the aiming point.
 std::vector<PapiUnit> papiUnits(const glm::dvec2& threshold, const glm::dvec2& landing, double lengthM,
                                 double widthM);
 
-/// Lights and windsocks of airfields: PAPI whose colours follow from where each eye is, and windsocks that the wind turns and lifts.
+/// Lights and windsocks of airfields: PAPI whose colours follow from where each eye is, and windsocks that
+/// the wind turns and lifts.
 /// Frame: the scene's. Needs the uniforms of an Atmosphere above it. Threads: setWind() in the update phase.
 class AirfieldNode
 {
@@ -38,7 +40,8 @@ public:
 
     osg::Group* node() const { return _root.get(); }
 
-    /// `windMps`: to where the air moves, east and north. Calm lets socks hang; 7.7 m/s (15 kt) lifts them level.
+    /// `windMps`: to where the air moves, east and north. Calm lets socks hang; 7.7 m/s (15 kt) lifts them
+    /// level.
     void setWind(const glm::dvec2& windMps);
 
 private:

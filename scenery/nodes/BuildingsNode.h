@@ -10,9 +10,11 @@
 namespace scenery
 {
 
-/// Makes a node of buildings: walls and roofs in squares of kShellSquareM, one geometry for each texture, drawn up to kShellFarM;
-/// windows and doors in squares of kOpeningsSquareM, drawn up to kOpeningsFarM. Both ranges overlap the next (RangedGroup).
-/// Frame: the scene's. Needs the uniforms of an Atmosphere above it in the graph. Memory: some 15 KB a building.
+/// Makes a node of buildings: walls and roofs in squares of kShellSquareM, one geometry for each texture,
+/// drawn up to kShellFarM; windows and doors in squares of kOpeningsSquareM, drawn up to kOpeningsFarM. Both
+/// ranges overlap the next (RangedGroup).
+/// Frame: the scene's. Needs the uniforms of an Atmosphere above it in the graph. Memory: some 15 KB a
+/// building.
 osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> buildings);
 
 inline constexpr double kShellSquareM = 500.0, kShellFarM = 12000.0;

@@ -28,7 +28,8 @@ float smoothStep(float from, float to, float x)
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// Of a place relative to the middle: full over the core, nothing from kRimM outside it on, round at the corners.
+/// Of a place relative to the middle: full over the core, nothing from kRimM outside it on, round at the
+/// corners.
 float darkness(const osg::Vec2f& place, const osg::Vec2f& half)
 {
     const osg::Vec2f outside(std::max(std::abs(place.x()) - half.x() + kRimM, 0.0F),

@@ -36,7 +36,8 @@ struct Blade
     double heading, lengthM, widthM, lean; ///< lean: 0 upright … 1 flat
 };
 
-/// A blade of two triangles and a tip that bends over. Normals look up, as the ground's do: from afar it is as bright as the ground.
+/// A blade of two triangles and a tip that bends over. Normals look up, as the ground's do: from afar it is
+/// as bright as the ground.
 void addBlade(ModelBuilder& builder, const glm::dvec3& foot, const Blade& blade)
 {
     const glm::dvec3 out(std::cos(blade.heading), std::sin(blade.heading), 0.0);

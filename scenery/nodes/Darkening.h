@@ -7,8 +7,8 @@
 namespace scenery
 {
 
-/// The program of surfaces that darken the ground below them: shadows of what moves, and sky that things hide. `fragmentMain` follows the
-/// functions of Atmosphere and Darkening.glsl.
+/// The program of surfaces that darken the ground below them: shadows of what moves, and sky that things
+/// hide. `fragmentMain` follows the functions of Atmosphere and Darkening.glsl.
 osg::ref_ptr<osg::Program> makeDarkeningProgram(const char* name, const char* fragmentMain);
 
 /// Multiplies what is drawn before `bin`, and writes no depth.

@@ -16,10 +16,11 @@ struct EntityLook
     std::string note; ///< why the shape differs from the file's; empty: it does not
 };
 
-/// Chooses kind, size and colour. The kind follows the category and, where that leaves it open, words in the names of the
-/// object, of its type and of its model (tractor, cone, wall, moose, glider, ferry …); the colour follows a colour word there
-/// (`car_red`), else the object's name, and so does the body of a car (saloon, hatchback, estate, sport utility vehicle), as far as
-/// its size leaves it open. The size is that of the bounding box, or the usual one where the box cannot be that of the kind. Pure.
+/// Chooses kind, size and colour. The kind follows the category and, where that leaves it open, words in the
+/// names of the object, of its type and of its model (tractor, cone, wall, moose, glider, ferry …); the
+/// colour follows a colour word there (`car_red`), else the object's name, and so does the body of a car
+/// (saloon, hatchback, estate, sport utility vehicle), as far as its size leaves it open. The size is that of
+/// the bounding box, or the usual one where the box cannot be that of the kind. Pure.
 EntityLook entityLook(const simulation::ScenarioObject& object);
 
 } // namespace scenery

@@ -14,9 +14,10 @@
 namespace scenery
 {
 
-/// A generated entity in the scene: progressive parts that follow its motion, lamps, discs of rotors, a soft shadow where it touches
-/// the ground, and the shadow that the sun makes of it. Frame: as OpenSCENARIO entities: origin on the ground below the rear axle, x forward, y left, z up;
-/// metres. Needs the uniforms of an Atmosphere above it in the graph. Threads: setState() in the update phase.
+/// A generated entity in the scene: progressive parts that follow its motion, lamps, discs of rotors, a soft
+/// shadow where it touches the ground, and the shadow that the sun makes of it. Frame: as OpenSCENARIO
+/// entities: origin on the ground below the rear axle, x forward, y left, z up; metres. Needs the uniforms of
+/// an Atmosphere above it in the graph. Threads: setState() in the update phase.
 class EntityNode
 {
 public:

@@ -20,7 +20,8 @@ struct ProgressiveEntity
     std::vector<osg::ref_ptr<osgPMObjects::ProgressiveShape>> meshes; ///< by EntityModel::parts
 };
 
-/// Generates entities; equal shapes share one. Threads: one. Cost: 50 to 400 ms for a new shape, most of it for simplification.
+/// Generates entities; equal shapes share one. Threads: one. Cost: 50 to 400 ms for a new shape, most of it
+/// for simplification.
 class EntityShapes
 {
 public:

@@ -14,10 +14,12 @@ namespace scenery
 /// Makes a geometry of facets, in their frame.
 osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets);
 
-/// Makes what casts the shadow of facets of several textures: one geometry that shadow maps alone draw, in place of these.
+/// Makes what casts the shadow of facets of several textures: one geometry that shadow maps alone draw, in
+/// place of these.
 osg::ref_ptr<osg::Geometry> casterOf(const std::map<models::Painting, Facets>& facets);
 
-/// Adds a node below `parent`, at `origin`, whose content is drawn up to `farM`, by ranges that overlap (RangedGroup); returns it.
+/// Adds a node below `parent`, at `origin`, whose content is drawn up to `farM`, by ranges that overlap
+/// (RangedGroup); returns it.
 osg::Group& addOverlapping(osg::Group& parent, const glm::dvec3& origin, double farM);
 
 /// Adds a node below `parent`, at `origin`, whose content is drawn from `nearM` to `farM`; returns it.

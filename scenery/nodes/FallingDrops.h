@@ -12,13 +12,15 @@
 namespace scenery
 {
 
-/// Rain or snow around every eye: a box of 12 m full of streaks or flakes, that stands still in the world while the eye goes through it, since
-/// what leaves it on one side comes in on the other. A streak is as long as a drop's way relative to the eye in a fiftieth of a second. Farther
-/// off rain is seen as the haze that it makes (simulation::visibilityM()).
-/// At most kMostDrops are drawn, all that have 2 mm in rain of up to 6 mm an hour; beyond, and in snow, those that are drawn are wider.
-/// Needs the uniforms of an Atmosphere above it. It casts no shadow when it is beside what SunShadows lights, has no bound and is never
-/// culled. Frame: world. Threads: show() in the update phase. The picture depends on the last show() alone.
-/// Source: Garg and Nayar, *Vision and rain* (2007), section 2: drops are seen as streaks that take their light from a wide part of the sky.
+/// Rain or snow around every eye: a box of 12 m full of streaks or flakes, that stands still in the world
+/// while the eye goes through it, since what leaves it on one side comes in on the other. A streak is as long
+/// as a drop's way relative to the eye in a fiftieth of a second. Farther off rain is seen as the haze that
+/// it makes (simulation::visibilityM()). At most kMostDrops are drawn, all that have 2 mm in rain of up to 6
+/// mm an hour; beyond, and in snow, those that are drawn are wider. Needs the uniforms of an Atmosphere above
+/// it. It casts no shadow when it is beside what SunShadows lights, has no bound and is never culled. Frame:
+/// world. Threads: show() in the update phase. The picture depends on the last show() alone.
+/// Source: Garg and Nayar, *Vision and rain* (2007), section 2: drops are seen as streaks that take their
+/// light from a wide part of the sky.
 class FallingDrops
 {
 public:

@@ -15,9 +15,10 @@
 namespace scenery
 {
 
-/// Grass, herbs, stones and twigs around the eye as one ProgressiveField, up to 80 m. They fade out at distances of their own, so that they
-/// have no edge; they cast no shadow into maps, which would cost more than they do, and receive it.
-/// Colours follow the ground's palette. Frame: the scene's. Threads: the update phase.
+/// Grass, herbs, stones and twigs around the eye as one ProgressiveField, up to 80 m. They fade out at
+/// distances of their own, so that they have no edge; they cast no shadow into maps, which would cost more
+/// than they do, and receive it. Colours follow the ground's palette. Frame: the scene's. Threads: the update
+/// phase.
 class GroundCoverNode
 {
 public:
@@ -29,7 +30,8 @@ public:
     /// How far it reaches: a number of kCoverReachesM; 0: there is none. From the next follow() on.
     void setReaches(int reaches);
 
-    /// Brings what stands around the eye, when it has come into another cell. Cost: some 10 ms then, a tenth of a second at first.
+    /// Brings what stands around the eye, when it has come into another cell. Cost: some 10 ms then, a tenth
+    /// of a second at first.
     void follow(const glm::dvec3& eye);
 
     std::size_t count() const { return _field->instanceCount(); }

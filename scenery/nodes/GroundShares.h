@@ -9,8 +9,9 @@
 namespace scenery
 {
 
-/// What the ground of a terrain is made of at a place, as far as it decides what grows there: by the maps and rules of its shaders
-/// (GroundColour.glsl, LandCover.glsl, GroundDetail.glsl), without their grain. Where a map shows water, snow, road, runway or field there is none.
+/// What the ground of a terrain is made of at a place, as far as it decides what grows there: by the maps and
+/// rules of its shaders (GroundColour.glsl, LandCover.glsl, GroundDetail.glsl), without their grain. Where a
+/// map shows water, snow, road, runway or field there is none.
 /// Frame: the terrain's. Threads: any, while the material is not changed.
 class GroundShares
 {

@@ -10,8 +10,9 @@
 namespace scenery
 {
 
-/// The light that the head lamps of one vehicle throw on ground, roads and objects before it: two lamps as one beam between them. Programs
-/// that contain Atmosphere::glslFunctions() and ask headLight() show it; dark, it costs nothing. Threads: the update phase.
+/// The light that the head lamps of one vehicle throw on ground, roads and objects before it: two lamps as
+/// one beam between them. Programs that contain Atmosphere::glslFunctions() and ask headLight() show it;
+/// dark, it costs nothing. Threads: the update phase.
 class HeadLampBeam
 {
 public:

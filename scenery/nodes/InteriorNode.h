@@ -12,8 +12,9 @@
 namespace scenery
 {
 
-/// The interior of a vehicle as nodes: instruments and wheel follow the readings, mirrors show textures that somebody else draws
-/// (MirrorCamera.h). Frame: world; the vehicle's pose places it. Needs the uniforms of an Atmosphere above it in the graph.
+/// The interior of a vehicle as nodes: instruments and wheel follow the readings, mirrors show textures that
+/// somebody else draws (MirrorCamera.h). Frame: world; the vehicle's pose places it. Needs the uniforms of an
+/// Atmosphere above it in the graph.
 /// Threads: show() in the update phase.
 class InteriorNode
 {
@@ -23,7 +24,8 @@ public:
     /// All that hides what is behind it.
     osg::Node* node() const { return _placed.get(); }
 
-    /// The disc of a propeller that turns fast, which one sees through; it belongs behind node() and before the scene. Null: none.
+    /// The disc of a propeller that turns fast, which one sees through; it belongs behind node() and before
+    /// the scene. Null: none.
     osg::Node* disc() const { return _discPlaced.get(); }
     const models::InteriorModel& model() const { return _model; }
 

@@ -12,8 +12,9 @@
 namespace scenery
 {
 
-/// The glow about lamps: squares that look at the eye and add light, so that far lamps are seen and near ones dazzle by night.
-/// It shines within the angle of its lamp. Frame: the entity's. Threads: light() in the update phase.
+/// The glow about lamps: squares that look at the eye and add light, so that far lamps are seen and near ones
+/// dazzle by night. It shines within the angle of its lamp. Frame: the entity's. Threads: light() in the
+/// update phase.
 class LampGlow
 {
 public:

@@ -23,8 +23,8 @@ struct LampCorner
 
 using LampCornerOf = std::function<LampCorner(const models::EntityLamp& lamp, float across, float up)>;
 
-/// Returns a geometry with a rectangle of two triangles for each lamp, four vertices after the other in the order of kLampCorners. `colours`: one for
-/// each vertex, which may change later; 0 where they are new.
+/// Returns a geometry with a rectangle of two triangles for each lamp, four vertices after the other in the
+/// order of kLampCorners. `colours`: one for each vertex, which may change later; 0 where they are new.
 osg::ref_ptr<osg::Geometry> makeLampQuads(const std::vector<models::EntityLamp>& lamps,
                                           osg::Vec4Array& colours, const LampCornerOf& cornerOf);
 

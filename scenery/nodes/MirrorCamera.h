@@ -26,8 +26,9 @@ MirrorView mirrorView(const models::InteriorMirror& mirror, const Pose& vehicle,
 /// Whether a part of a mirror may lie in a picture. `clipFromWorld`: of the picture's camera.
 bool isInPicture(const models::InteriorMirror& mirror, const Pose& vehicle, const glm::dmat4& clipFromWorld);
 
-/// Makes a camera that draws a scene into the picture of a mirror before the picture of the eye. It belongs among the slaves of a viewer: OSG
-/// gives the shaders of a nested camera the matrices of the outer one. It rests until setMirrorView().
+/// Makes a camera that draws a scene into the picture of a mirror before the picture of the eye. It belongs
+/// among the slaves of a viewer: OSG gives the shaders of a nested camera the matrices of the outer one. It
+/// rests until setMirrorView().
 osg::ref_ptr<osg::Camera> makeMirrorCamera(osg::Texture2D& picture);
 
 /// Draws the picture anew; where the mirror is not seen, it rests.

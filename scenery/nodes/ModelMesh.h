@@ -18,13 +18,13 @@ using Ring = std::vector<osg::Vec3f>;
 class ModelMesh
 {
 public:
-    /// Adds the surface over rings in order, with flat caps at both ends. Faces look away from the middles of the
-    /// rings, so each ring must be star-shaped about its middle. `creaseDeg`: edges sharper than this stay sharp, all
-    /// others are smooth.
+    /// Adds the surface over rings in order, with flat caps at both ends. Faces look away from the middles of
+    /// the rings, so each ring must be star-shaped about its middle. `creaseDeg`: edges sharper than this
+    /// stay sharp, all others are smooth.
     void addLoft(std::span<const Ring> rings, const osg::Vec4f& colour, double creaseDeg = 40.0);
 
-    /// A band of the surface of a loft, moved out by `liftM`: windows, lamps, stripes. `from`, `to`: point indices
-    /// along the ring; the band runs from ring `first` to ring `last`.
+    /// A band of the surface of a loft, moved out by `liftM`: windows, lamps, stripes. `from`, `to`: point
+    /// indices along the ring; the band runs from ring `first` to ring `last`.
     struct Patch
     {
         std::size_t first, last, from, to;

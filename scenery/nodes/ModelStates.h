@@ -14,9 +14,9 @@
 namespace scenery
 {
 
-/// The states of generated models: one for each surface and one texture for each painting, shared by all models that
-/// use the same ModelStates. Textures have mipmaps; those of foliage keep their coverage with distance. A texture is
-/// painted when it is first used. Threads: one.
+/// The states of generated models: one for each surface and one texture for each painting, shared by all
+/// models that use the same ModelStates. Textures have mipmaps; those of foliage keep their coverage with
+/// distance. A texture is painted when it is first used. Threads: one.
 /// Memory: up to 5.3 MB a texture, see docs/guide/generated-models.md.
 class ModelStates
 {

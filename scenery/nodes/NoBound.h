@@ -6,7 +6,8 @@
 namespace scenery
 {
 
-/// Of a drawable without a place in the world: it has no share in the bounds of the scene, nor in near and far planes.
+/// Of a drawable without a place in the world: it has no share in the bounds of the scene, nor in near and
+/// far planes.
 struct NoBound : public osg::Drawable::ComputeBoundingBoxCallback
 {
     osg::BoundingBox computeBound(const osg::Drawable&) const override { return {}; }

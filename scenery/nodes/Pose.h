@@ -9,8 +9,8 @@ namespace scenery
 {
 
 /// The position and attitude of a body or a camera.
-/// Frame: position in the world (local east-north-up); body axes x forward, y left, z up, as in OpenSCENARIO. Units:
-/// metres. Invariant: worldFromBody is a rotation; its columns are forward, left and up.
+/// Frame: position in the world (local east-north-up); body axes x forward, y left, z up, as in OpenSCENARIO.
+/// Units: metres. Invariant: worldFromBody is a rotation; its columns are forward, left and up.
 struct Pose
 {
     glm::dvec3 positionWorld{0.0};
@@ -27,11 +27,12 @@ struct Pose
 
 Pose poseOf(const simulation::EntityState& entity);
 
-/// Returns the pose of a camera that looks at a point with a level horizon. Straight up or down it has west on its
-/// left.
+/// Returns the pose of a camera that looks at a point with a level horizon. Straight up or down it has west
+/// on its left.
 Pose poseLookingAt(const glm::dvec3& eyeWorld, const glm::dvec3& targetWorld);
 
-/// Returns the pose of a camera fixed in a body and looking along its x axis. `eyeInBody`: in the frame of the body.
+/// Returns the pose of a camera fixed in a body and looking along its x axis. `eyeInBody`: in the frame of
+/// the body.
 Pose eyeInBody(const Pose& body, const glm::dvec3& eyeInBody);
 
 /// Returns the view matrix of OpenGL (looking along −z, y up) of a camera that looks along its body x axis.

@@ -13,9 +13,11 @@
 namespace scenery
 {
 
-/// A group that is drawn up to a distance from the middle of its bound. The ranges "drawn" and "not drawn" overlap, so an eye that lingers at the boundary
-/// does not let it flicker: each camera remembers what it showed last. Cameras of shadow maps show what their main camera does.
-/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002), section 2.3.2.
+/// A group that is drawn up to a distance from the middle of its bound. The ranges "drawn" and "not drawn"
+/// overlap, so an eye that lingers at the boundary does not let it flicker: each camera remembers what it
+/// showed last. Cameras of shadow maps show what their main camera does.
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal
+/// objects* (2002), section 2.3.2.
 /// Threads: several cull traversals at a time.
 class RangedGroup : public osg::Group
 {

@@ -25,7 +25,8 @@ enum class LightState
 };
 
 /// What shines by itself beside and over roads: lenses of traffic lights, and the lamps of tunnels.
-/// Frame: the scene's. Threads: setState() in the update phase. Lenses more than 10 km from the first one are placed within a millimetre or two.
+/// Frame: the scene's. Threads: setState() in the update phase. Lenses more than 10 km from the first one are
+/// placed within a millimetre or two.
 class RoadLamps
 {
 public:
@@ -38,7 +39,8 @@ public:
     /// Sets what all lights of a signal show. Returns false when there is none of that id.
     bool setState(const std::string& signalId, LightState state);
 
-    /// Sets the lenses of a signal one by one, from the top; lenses beyond the list are dark. Returns as setState().
+    /// Sets the lenses of a signal one by one, from the top; lenses beyond the list are dark. Returns as
+    /// setState().
     bool setLenses(const std::string& signalId, const std::vector<bool>& lit);
 
 private:

@@ -34,7 +34,8 @@ osg::ref_ptr<osg::Program> makeProgram()
     return program;
 }
 
-/// Lets strips of grass look as the terrain's ground: its grid coordinates are linear over a network, to a part of a sample.
+/// Lets strips of grass look as the terrain's ground: its grid coordinates are linear over a network, to a
+/// part of a sample.
 osg::ref_ptr<osg::StateSet> makeGroundState(osgRoads::RoadDrawable& drawable,
                                             osgTerrainROAM::RoamTerrain& terrain)
 {
@@ -48,7 +49,8 @@ osg::ref_ptr<osg::StateSet> makeGroundState(osgRoads::RoadDrawable& drawable,
     state->addUniform(new osg::Uniform("roadGridOrigin", osg::Vec2f(osg::Vec2d(grid.x, grid.y))));
     state->addUniform(
         new osg::Uniform("roadGridFromPlan", osg::Vec4f(osg::Vec4d(east.x, east.y, north.x, north.y))));
-    // The names by which the road is given what depends on the eye. One grain serves both: OpenGL 3.3 guarantees 16 samplers.
+    // The names by which the road is given what depends on the eye. One grain serves both: OpenGL 3.3
+    // guarantees 16 samplers.
     const std::string names =
         "#define terrainEyeWrapped roadEyeWrapped\n#define terrainEyeWraps roadEyeWraps\n"
         "#define roadGrain terrainGrain\n"

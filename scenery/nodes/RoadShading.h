@@ -13,8 +13,9 @@
 namespace scenery
 {
 
-/// Makes the node that draws the surface of a road network in the light and the haze of the scene's Atmosphere, whose uniforms belong
-/// above it. Verges and lanes of grass look as the ground of `terrain` does where they lie; null: they are plain green.
+/// Makes the node that draws the surface of a road network in the light and the haze of the scene's
+/// Atmosphere, whose uniforms belong above it. Verges and lanes of grass look as the ground of `terrain` does
+/// where they lie; null: they are plain green.
 /// Frame: the scene's, which is the terrain's.
 osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::RoadMesh> mesh,
                                      osgTerrainROAM::RoamTerrain* terrain = nullptr);

@@ -8,8 +8,8 @@
 namespace scenery
 {
 
-/// Makes what the eye keeps of blades that turn fast: a thin disc about the hub, a little darker towards its rim, seen from both
-/// sides. Frame: the entity's. Needs the uniforms of an Atmosphere above it in the graph.
+/// Makes what the eye keeps of blades that turn fast: a thin disc about the hub, a little darker towards its
+/// rim, seen from both sides. Frame: the entity's. Needs the uniforms of an Atmosphere above it in the graph.
 osg::ref_ptr<osg::Node> makeRotorDisc(const models::EntityRotor& rotor);
 
 /// Whether a rotor turns so fast that the disc is seen in place of its blades.

@@ -13,8 +13,9 @@
 namespace scenery
 {
 
-/// All objects of a scenery as one field, below a group that shades the objects without a shader of their own. A kind
-/// of the field is a pair of a field and an object of the description, because each field has its own settings.
+/// All objects of a scenery as one field, below a group that shades the objects without a shader of their
+/// own. A kind of the field is a pair of a field and an object of the description, because each field has its
+/// own settings.
 /// Frame: the scene's. Needs the uniforms of an Atmosphere above it in the graph.
 struct SceneryNode
 {
@@ -22,8 +23,8 @@ struct SceneryNode
     osg::ref_ptr<osgPMObjects::ProgressiveField> field;
 };
 
-/// Makes the node. Errors, with `place` and the name of the field: selection rules that do not suit the levels of an
-/// object; as ProgressiveField::setContents().
+/// Makes the node. Errors, with `place` and the name of the field: selection rules that do not suit the
+/// levels of an object; as ProgressiveField::setContents().
 foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& description,
                                                 const PlacedScenery& placed, const SceneryShapes& shapes,
                                                 const std::string& place);

@@ -24,9 +24,9 @@ struct SceneryShapes
     double seconds = 0.0;         ///< to make them
 };
 
-/// Generates or reads all objects and makes them progressive, each in one thread, in as many threads as there are
-/// processors. The levels depend on the objects only. A file may hold any model that OpenSceneGraph reads, upright
-/// with z up; its lowest point is put on the ground. `.pm` files contain their levels.
+/// Generates or reads all objects and makes them progressive, each in one thread, in as many threads as there
+/// are processors. The levels depend on the objects only. A file may hold any model that OpenSceneGraph
+/// reads, upright with z up; its lowest point is put on the ground. `.pm` files contain their levels.
 /// Errors: a file that cannot be read, or without surfaces. Cost: 0.3 to 1 s a generated object and thread.
 foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<SceneryObject>& objects);
 

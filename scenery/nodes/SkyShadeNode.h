@@ -13,8 +13,9 @@
 namespace scenery
 {
 
-/// Darkens the ground around the eye where trees, parked vehicles and walls hide the sky, up to kReachM: patches on the ground, which take away
-/// light of the sky and none of the sun. What moves has a patch of its own (ContactShadow.h).
+/// Darkens the ground around the eye where trees, parked vehicles and walls hide the sky, up to kReachM:
+/// patches on the ground, which take away light of the sky and none of the sun. What moves has a patch of its
+/// own (ContactShadow.h).
 /// Frame: the scene's. Threads: the update phase.
 class SkyShadeNode
 {
@@ -28,7 +29,8 @@ public:
     /// Shows it or not, from the next follow() on.
     void setShown(bool isShown);
 
-    /// Brings the patches around the eye when it has come into another cell of 16 m. Cost: some milliseconds then.
+    /// Brings the patches around the eye when it has come into another cell of 16 m. Cost: some milliseconds
+    /// then.
     void follow(const glm::dvec3& eye);
 
     std::size_t patchCount() const { return _patches.size(); }

@@ -28,8 +28,8 @@ struct SkyShadePatch
     std::vector<std::uint32_t> triangles; ///< three numbers of corners each
 };
 
-/// Lays a patch below a body, or before a wall, on the ground. Where the ground is not known the patch is empty. Cost: a question to the ground
-/// for each corner, 85 below a body and some 30 before a wall.
+/// Lays a patch below a body, or before a wall, on the ground. Where the ground is not known the patch is
+/// empty. Cost: a question to the ground for each corner, 85 below a body and some 30 before a wall.
 SkyShadePatch patchBelow(const SkyHider& hider, const SkyShadeGround& ground);
 SkyShadePatch patchBefore(const SkyWall& wall, const SkyShadeGround& ground);
 

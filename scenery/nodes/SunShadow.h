@@ -16,10 +16,11 @@
 namespace scenery
 {
 
-/// The shadow that the sun makes of an entity: a patch that lies on the ground and belongs to it. Its outline is that of the entity's
-/// parts, its edge softer the higher the entity flies. Above kHighestM there is none, nor with the sun low.
-/// Frame: world. Threads: show() in the update phase. Cost: some 120 questions to the ground when the entity has moved, and a mask
-/// (ShadowMask.h) when the sun shines on it from elsewhere.
+/// The shadow that the sun makes of an entity: a patch that lies on the ground and belongs to it. Its outline
+/// is that of the entity's parts, its edge softer the higher the entity flies. Above kHighestM there is none,
+/// nor with the sun low.
+/// Frame: world. Threads: show() in the update phase. Cost: some 120 questions to the ground when the entity
+/// has moved, and a mask (ShadowMask.h) when the sun shines on it from elsewhere.
 class SunShadow
 {
 public:
@@ -29,8 +30,8 @@ public:
 
     osg::Node* node() const { return _placed.get(); }
 
-    /// `pose`: of the model's parts. `sun`: towards it, unit vector. Without ground there the shadow of what stands is cast onto the plane that it
-    /// stands on, and what flies has none.
+    /// `pose`: of the model's parts. `sun`: towards it, unit vector. Without ground there the shadow of what
+    /// stands is cast onto the plane that it stands on, and what flies has none.
     void show(const models::EntityModel& model, const std::vector<glm::dmat4>& pose,
               const simulation::EntityState& state, const glm::dvec3& sun,
               const simulation::GroundProvider& ground);

@@ -6,8 +6,8 @@
 namespace scenery
 {
 
-/// The arrangements. Each fills the field that the site has begun with `wanted` objects; placed() of the site tells
-/// how many found room.
+/// The arrangements. Each fills the field that the site has begun with `wanted` objects; placed() of the site
+/// tells how many found room.
 void scatter(Site& site, std::uint32_t wanted);
 void plantRows(Site& site, std::uint32_t wanted);
 void park(Site& site, std::uint32_t wanted);

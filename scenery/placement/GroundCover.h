@@ -33,8 +33,8 @@ struct CoverGround
 /// Answers what is at (east, north); nothing where nothing may stand: roads, water, snow, beyond the data.
 using CoverQuery = std::function<std::optional<CoverGround>(glm::dvec2 place)>;
 
-/// How far things are drawn: half of them to the nearest reach, the fewest to the farthest, so that they get fewer with the distance and end
-/// nowhere. Units: metres.
+/// How far things are drawn: half of them to the nearest reach, the fewest to the farthest, so that they get
+/// fewer with the distance and end nowhere. Units: metres.
 constexpr std::array<double, 3> kCoverReachesM{25.0, 45.0, 80.0};
 constexpr std::array<double, 3> kCoverShares{0.5, 0.3, 0.2};
 
@@ -47,9 +47,9 @@ struct CoverThing
     std::uint8_t reach = 0; ///< of kCoverReachesM
 };
 
-/// Returns what stands in a square of kCoverCellM, whose south-western corner is at `cell` times that, of the things that reach as far as
-/// `leastReach` or farther. It depends on nothing else: a cell is the same whenever the eye comes. Cost: some 225 queries where the least
-/// reach is 0.
+/// Returns what stands in a square of kCoverCellM, whose south-western corner is at `cell` times that, of the
+/// things that reach as far as `leastReach` or farther. It depends on nothing else: a cell is the same
+/// whenever the eye comes. Cost: some 225 queries where the least reach is 0.
 constexpr double kCoverCellM = 8.0;
 std::vector<CoverThing> coverOf(glm::ivec2 cell, std::uint8_t leastReach, const CoverQuery& query);
 

@@ -26,8 +26,8 @@ struct Complaint
     }
 };
 
-/// One JSON object whose members are read one by one. A member that is never read is a fault. After the first fault
-/// all members keep their default values.
+/// One JSON object whose members are read one by one. A member that is never read is a fault. After the first
+/// fault all members keep their default values.
 class JsonFields
 {
 public:

@@ -32,7 +32,8 @@ std::uint64_t Lines::keyOf(std::int64_t column, std::int64_t row)
     return (static_cast<std::uint64_t>(column) << 32U) ^ (static_cast<std::uint64_t>(row) & 0xffffffffU);
 }
 
-/// A piece lies in every cell that its box and the reach about it touch, so that one cell is enough to be asked.
+/// A piece lies in every cell that its box and the reach about it touch, so that one cell is enough to be
+/// asked.
 void Lines::add(const Corridor& corridor)
 {
     for (std::size_t i = 0; i < corridor.line.size(); ++i)

@@ -19,8 +19,8 @@ public:
 
     void add(const Corridor& corridor);
 
-    /// Returns the distance from a point to the edge of the nearest line, negative inside it; `reachM` when none is
-    /// nearer.
+    /// Returns the distance from a point to the edge of the nearest line, negative inside it; `reachM` when
+    /// none is nearer.
     double distanceM(glm::dvec2 place) const;
 
 private:

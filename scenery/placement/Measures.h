@@ -25,7 +25,8 @@ struct Measures
     bool isCrowned = false; ///< wide above and narrow at the ground: crowns may overlap
 };
 
-/// Measures a mesh that stands on z = 0. Its base are the parts at most `nearGroundM` above its lowest ground.
+/// Measures a mesh that stands on z = 0. Its base are the parts at most `nearGroundM` above its lowest
+/// ground.
 Measures measuresOf(const osgPMObjects::core::Mesh& mesh, double foundationM, Stance stance,
                     double nearGroundM = 0.4);
 

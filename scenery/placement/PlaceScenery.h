@@ -28,11 +28,11 @@ struct PlacedScenery
     std::vector<FieldReport> reports;  ///< in the order of the description's fields
 };
 
-/// Places all objects of a description without overlaps. A field that finds no room has fewer objects than wanted.
-/// Settlements come first, then parked vehicles, rows and scattered objects, sorted by name within each: the order of
-/// the fields does not matter. The result depends on the arguments only.
-/// `measures`: of objectsOf(description), in that order. Cost: about 10 to 30 µs for an object that soon finds room;
-/// at most 30 positions are tried for each. Memory: 100 B an object while it works.
+/// Places all objects of a description without overlaps. A field that finds no room has fewer objects than
+/// wanted. Settlements come first, then parked vehicles, rows and scattered objects, sorted by name within
+/// each: the order of the fields does not matter. The result depends on the arguments only.
+/// `measures`: of objectsOf(description), in that order. Cost: about 10 to 30 µs for an object that soon
+/// finds room; at most 30 positions are tried for each. Memory: 100 B an object while it works.
 PlacedScenery placeScenery(const SceneryDescription& description, std::span<const Measures> measures,
                            const Ground& ground, const Ways& ways);
 

@@ -9,7 +9,8 @@
 namespace scenery
 {
 
-/// A placed object. Frame: the scene's east-north-up; `axes`: forward, left and up of the object. Units: metres.
+/// A placed object. Frame: the scene's east-north-up; `axes`: forward, left and up of the object. Units:
+/// metres.
 struct Placement
 {
     glm::dvec3 position{0.0}; ///< of the object's 0

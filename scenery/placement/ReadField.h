@@ -9,7 +9,8 @@
 namespace scenery
 {
 
-/// Reads one field of a description at the JSON pointer `pointer`; the files that it names are relative to `folder`.
+/// Reads one field of a description at the JSON pointer `pointer`; the files that it names are relative to
+/// `folder`.
 SceneryField readField(const nlohmann::json& object, const std::string& pointer,
                        const std::filesystem::path& folder, Complaint& complaint);
 

@@ -111,7 +111,8 @@ void readBudget(JsonFields& parent, SceneBudgetSettings& budget)
     double triangles = 0.0, ms = 0.0;
     const bool byTriangles = fields.number("triangles", triangles, 1.0, 1e12);
     const bool byTime = fields.number("ms", ms, 1e-3, 1e4);
-    // Nanoseconds that a machine takes. The defaults are an estimate: whoever wants milliseconds has to measure.
+    // Nanoseconds that a machine takes. The defaults are an estimate: whoever wants milliseconds has to
+    // measure.
     double perTriangle = 100.0, perVertex = 30.0, perObject = 500.0;
     fields.number("nsPerTriangle", perTriangle, 0.0, 1e9);
     fields.number("nsPerVertex", perVertex, 0.0, 1e9);

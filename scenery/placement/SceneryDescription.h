@@ -99,7 +99,8 @@ struct SceneryField
     double importance = 1.0;
 };
 
-/// The description of the objects on a terrain. The file format is described in docs/reference/scenery-file.md.
+/// The description of the objects on a terrain. The file format is described in
+/// docs/reference/scenery-file.md.
 struct SceneryDescription
 {
     std::uint64_t seed = 1;

@@ -11,8 +11,8 @@
 namespace scenery
 {
 
-/// Selection rules as people write them, for models that are not known yet: levels are shares of the faces of the
-/// full model.
+/// Selection rules as people write them, for models that are not known yet: levels are shares of the faces of
+/// the full model.
 struct SelectionPlan
 {
     /// All settings except rows and the boundaries of ranges and areas.
@@ -24,8 +24,8 @@ struct SelectionPlan
     std::vector<double> facesPercent; ///< by level, descending, each above 0 and at most 100
 };
 
-/// Makes the settings for one model: each level is the finest whose faces are at most the wanted share; equal levels
-/// are merged.
+/// Makes the settings for one model: each level is the finest whose faces are at most the wanted share; equal
+/// levels are merged.
 /// Errors: as core::checkSettings(). `place`: of the plan, for messages.
 foundation::Result<osgPMObjects::core::SelectionSettings>
 selectionFor(const SelectionPlan& plan, const osgPMObjects::core::LevelTable& table,

@@ -25,8 +25,8 @@ struct Street
     double lengthM() const { return glm::length(to - from); }
 };
 
-/// The steepest piece of a street along it, and of the land to both sides across it, as height by length; infinity where it leaves
-/// ground or area, or comes too near to what is to be kept clear.
+/// The steepest piece of a street along it, and of the land to both sides across it, as height by length;
+/// infinity where it leaves ground or area, or comes too near to what is to be kept clear.
 double steepnessOf(const Site& site, const Street& street)
 {
     double steepest = 0.0;
@@ -95,7 +95,8 @@ std::vector<Street> streetsOf(const Site& site, const Street& main)
     return streets;
 }
 
-/// Houses at both sides, entrances (which look towards -y of the house) to the street. Returns the number of plots.
+/// Houses at both sides, entrances (which look towards -y of the house) to the street. Returns the number of
+/// plots.
 std::uint32_t build(Site& site, const Street& street)
 {
     const SettlementLayout& layout = site.field().settlement;

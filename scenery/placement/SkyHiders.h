@@ -37,15 +37,17 @@ struct SkyHiders
     void add(const SkyHiders& more);
 };
 
-/// The share of the light of an even sky that a wall keeps from level ground at a distance before its middle, when the wall is long. What the
-/// wall itself throws back is taken off. Source: Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-5: a strip without end.
+/// The share of the light of an even sky that a wall keeps from level ground at a distance before its middle,
+/// when the wall is long. What the wall itself throws back is taken off. Source: Howell, A Catalog of
+/// Radiation Heat Transfer Configuration Factors, B-5: a strip without end.
 double hiddenByWall(double awayM, double heightM);
 
-/// The same for a level disc above the ground, `awayM` beside its middle. Source: Howell, B-13: a disc in a parallel plane.
+/// The same for a level disc above the ground, `awayM` beside its middle. Source: Howell, B-13: a disc in a
+/// parallel plane.
 double hiddenByDisc(double awayM, double radiusM, double heightM);
 
-/// What generated models of a scenery hide: crowns, vehicles, walls of houses. `measures`: of its objects, in the order of objectsOf(). Models of
-/// files are left out.
+/// What generated models of a scenery hide: crowns, vehicles, walls of houses. `measures`: of its objects, in
+/// the order of objectsOf(). Models of files are left out.
 SkyHiders hidersOf(const SceneryDescription& description, const PlacedScenery& placed,
                    const std::vector<Measures>& measures);
 

@@ -17,8 +17,8 @@ namespace scenery
 struct Ground
 {
     std::function<std::optional<double>(double eastM, double northM)> heightM; ///< nothing beyond the data
-    /// Returns the elevation above sea level of a point on the ground, which rules of height and water test. Empty:
-    /// the height itself.
+    /// Returns the elevation above sea level of a point on the ground, which rules of height and water test.
+    /// Empty: the height itself.
     std::function<double(double eastM, double northM, double heightM)> elevationM;
     std::function<std::string_view(double eastM, double northM)> cover; ///< its name; empty: not known
     double seaLevelM = -std::numeric_limits<double>::infinity();        ///< an elevation

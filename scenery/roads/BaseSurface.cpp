@@ -16,7 +16,8 @@ namespace
 
 constexpr double kMostCells = 4e6;
 
-/// Weighted sums over the lines of a table in one direction: `stride` between neighbours of a line of `count` values.
+/// Weighted sums over the lines of a table in one direction: `stride` between neighbours of a line of `count`
+/// values.
 void smoothLine(std::vector<float>& values, std::size_t first, std::size_t stride, int count,
                 const std::vector<double>& kernel, std::vector<float>& line)
 {

@@ -10,10 +10,12 @@
 namespace scenery
 {
 
-/// The ground without its small forms: heights smoothed by a Gaussian, as a surface with continuous curvature. Roads whose file
-/// knows no ground are fitted to it (GroundProfiles.h).
-/// Frame: the network's plan. Units: metres. Memory: 4 B for each square of kCellM, 4 million squares at most (coarser then).
-/// Source: uniform cubic B-splines (Farin, *Curves and Surfaces for CAGD*, 2002, chapter 8) over normalised Gaussian means.
+/// The ground without its small forms: heights smoothed by a Gaussian, as a surface with continuous
+/// curvature. Roads whose file knows no ground are fitted to it (GroundProfiles.h).
+/// Frame: the network's plan. Units: metres. Memory: 4 B for each square of kCellM, 4 million squares at most
+/// (coarser then).
+/// Source: uniform cubic B-splines (Farin, *Curves and Surfaces for CAGD*, 2002, chapter 8) over normalised
+/// Gaussian means.
 class BaseSurface
 {
 public:

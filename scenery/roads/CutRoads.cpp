@@ -41,7 +41,8 @@ std::vector<glm::dvec2> portalsOf(const PlacedNetwork& roads)
     return portals;
 }
 
-/// The box of one station: its lanes, and as far beside them as cutting or embankment may reach. False: beyond the data.
+/// The box of one station: its lanes, and as far beside them as cutting or embankment may reach. False:
+/// beyond the data.
 bool boxAt(const PlacedTile& tile, const PlacedNetwork& roads, int road, double s, const RoadCutShape& shape,
            PlanBox& box)
 {

@@ -41,8 +41,8 @@ struct DrawnContact
     }
 };
 
-/// Compares a place with the drawn surface: the highest of ground and roads that is not more than kHeadroomM above it, so that
-/// a bridge is not what a car below it stands on. Nothing: nothing is drawn there.
+/// Compares a place with the drawn surface: the highest of ground and roads that is not more than kHeadroomM
+/// above it, so that a bridge is not what a car below it stands on. Nothing: nothing is drawn there.
 std::optional<DrawnContact> contactAt(const DrawnScene& scene, const glm::dvec3& place);
 
 inline constexpr double kHeadroomM = 2.0;

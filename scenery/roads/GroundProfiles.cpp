@@ -220,7 +220,8 @@ void GroundProfiles::fit(const std::vector<RoadChain>& chains, std::vector<Draft
                     drafts[c].heightsM.begin());
 }
 
-/// Averages the heights of a chain. Beyond an area the plane goes on, beyond an end in the open the mirrored profile.
+/// Averages the heights of a chain. Beyond an area the plane goes on, beyond an end in the open the mirrored
+/// profile.
 GroundProfiles::Profile GroundProfiles::profileOf(const RoadChain& chain, Draft draft) const
 {
     const auto last = static_cast<std::ptrdiff_t>(draft.heightsM.size()) - 1;

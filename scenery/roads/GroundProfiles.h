@@ -26,14 +26,14 @@ struct GroundProfileLimits
     double stepM = 5.0; ///< between the coefficients of a profile
 };
 
-/// The heights on which the roads of a network lie when its file knows no ground: along each road a profile with bounded grade and
-/// continuous curvature, in each junction a plane.
-/// Roads have the profile of their reference line right across, so none leans with the hillside; within runInM of a junction
-/// they turn into its plane, so roads that are linked or meet in a junction have one height at every point they share.
-/// Bends in height have a radius of runInM / grade or more: (10 % up, then 10 % down) 300 m. Roads between junctions that are less
-/// than 4 · runInM apart have a shorter run-in, and sharper bends.
-/// Method: heights of the smoothed ground, fitted to the limits over the whole network (HeightFit.h), averaged over ± runInM, which
-/// keeps straight lines and grades, as coefficients of uniform cubic B-splines.
+/// The heights on which the roads of a network lie when its file knows no ground: along each road a profile
+/// with bounded grade and continuous curvature, in each junction a plane. Roads have the profile of their
+/// reference line right across, so none leans with the hillside; within runInM of a junction they turn into
+/// its plane, so roads that are linked or meet in a junction have one height at every point they share. Bends
+/// in height have a radius of runInM / grade or more: (10 % up, then 10 % down) 300 m. Roads between
+/// junctions that are less than 4 · runInM apart have a shorter run-in, and sharper bends.
+/// Method: heights of the smoothed ground, fitted to the limits over the whole network (HeightFit.h),
+/// averaged over ± runInM, which keeps straight lines and grades, as coefficients of uniform cubic B-splines.
 /// Limits that a file makes impossible are exceeded as little as the fit can do.
 /// Frame: the network's plan. Units: metres. Threads: const, any. Memory: 8 B for each stepM of road.
 class GroundProfiles
@@ -42,7 +42,8 @@ public:
     GroundProfiles(std::shared_ptr<const osgRoads::core::RoadNetwork> network, BaseSurface ground,
                    const GroundProfileLimits& limits = {});
 
-    /// Returns the height of the road's base at a place on it. `plan`: that place; beside the road the cross-section goes on.
+    /// Returns the height of the road's base at a place on it. `plan`: that place; beside the road the
+    /// cross-section goes on.
     double heightM(const osgRoads::core::RoadPosition& position, const glm::dvec2& plan) const;
 
     const BaseSurface& ground() const { return _ground; }

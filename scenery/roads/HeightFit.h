@@ -14,12 +14,14 @@ struct HeightStep
     double leastM = 0.0, mostM = 0.0; ///< of the height at `to` less that at `from`
 };
 
-/// Returns the heights that depart least from the wished ones, at the worst node, among those that keep every step.
-/// Where nothing forces it to, no height departs from its wish.
-/// Method: the greatest heights that no wish forbids from above and the least that none forbids from below, by shortest paths over
-/// the steps; the mean of both. Steps that contradict each other are kept as far as kMostPasses passes bring them.
+/// Returns the heights that depart least from the wished ones, at the worst node, among those that keep every
+/// step. Where nothing forces it to, no height departs from its wish.
+/// Method: the greatest heights that no wish forbids from above and the least that none forbids from below,
+/// by shortest paths over the steps; the mean of both. Steps that contradict each other are kept as far as
+/// kMostPasses passes bring them.
 /// Cost: 10 ns a step and pass; few passes where neighbours follow each other in `steps`.
-/// Source: McShane, *Extension of range of functions*, 1934 (both extensions); Bellman, *On a routing problem*, 1958.
+/// Source: McShane, *Extension of range of functions*, 1934 (both extensions); Bellman, *On a routing
+/// problem*, 1958.
 std::vector<double> fitHeights(const std::vector<double>& wishesM, const std::vector<HeightStep>& steps);
 
 } // namespace scenery

@@ -10,7 +10,8 @@
 namespace scenery
 {
 
-/// Returns the weights of four neighbouring coefficients in a uniform cubic B-spline at the share `u` of the middle interval.
+/// Returns the weights of four neighbouring coefficients in a uniform cubic B-spline at the share `u` of the
+/// middle interval.
 /// Source: Farin, *Curves and Surfaces for CAGD*, 2002, chapter 8.
 inline std::array<double, 4> splineWeights(double u)
 {
@@ -19,8 +20,9 @@ inline std::array<double, 4> splineWeights(double u)
             (3.0 * v * v * v - 6.0 * v * v + 4.0) / 6.0, u * u * u / 6.0};
 }
 
-/// A height over the distance along a line: a uniform cubic B-spline. It is never steeper than the steepest line between
-/// neighbouring coefficients, and its curvature is continuous. Beyond its ends it goes on straight.
+/// A height over the distance along a line: a uniform cubic B-spline. It is never steeper than the steepest
+/// line between neighbouring coefficients, and its curvature is continuous. Beyond its ends it goes on
+/// straight.
 /// Units: metres.
 struct HeightSpline
 {

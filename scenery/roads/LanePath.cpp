@@ -32,7 +32,8 @@ double limitOf(const Road& road, double s)
     return kind.type == "rural" ? kRuralMps : kTownMps;
 }
 
-/// The way from the middles of lanes to the path, which vanishes within kBlendWayM of where lanes did not meet.
+/// The way from the middles of lanes to the path, which vanishes within kBlendWayM of where lanes did not
+/// meet.
 class Gap
 {
 public:

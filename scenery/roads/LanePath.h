@@ -18,10 +18,10 @@ struct LanePathPoint
     double limitMps = 0.0;
 };
 
-/// Returns the middle of a route's lanes, kLanePathStepM apart, in the direction of travel; in lanes narrower than
-/// 2.5 m it is 1.25 m from the outer border. Where the lanes do not meet (a change of
-/// lane, a joint that is not exact) the path goes over from one to the other within kBlendWayM.
-/// Speeds are those of the roads (`type`), in towns where nothing is told.
+/// Returns the middle of a route's lanes, kLanePathStepM apart, in the direction of travel; in lanes narrower
+/// than 2.5 m it is 1.25 m from the outer border. Where the lanes do not meet (a change of lane, a joint that
+/// is not exact) the path goes over from one to the other within kBlendWayM. Speeds are those of the roads
+/// (`type`), in towns where nothing is told.
 /// Frame: the scene's. Units: metres, m/s.
 std::vector<LanePathPoint> lanePath(const osgRoads::core::PlacedNetwork& roads,
                                     const osgRoads::core::LaneRoute& route);

@@ -53,8 +53,8 @@ struct Stretch
     double from = 0.0, to = 0.0;
 };
 
-/// Returns the stretches of a road that lie on the ground. Where a ribbon ends in the open, its round end must not reach beyond the
-/// road's: it is shorter by half its width.
+/// Returns the stretches of a road that lie on the ground. Where a ribbon ends in the open, its round end
+/// must not reach beyond the road's: it is shorter by half its width.
 std::vector<Stretch> stretchesOnGround(const Road& road)
 {
     std::vector<Stretch> covered;

@@ -15,14 +15,15 @@
 namespace scenery
 {
 
-/// Places the roads that a .roam file names on its tile and cuts the ground to them, unless the file names edits: then the tile is cut already
-/// (loadRoamTile()). `placed` of the result is null when the file
-/// names none. Errors: those of placeRoads() and cutRoads().
+/// Places the roads that a .roam file names on its tile and cuts the ground to them, unless the file names
+/// edits: then the tile is cut already (loadRoamTile()). `placed` of the result is null when the file names
+/// none. Errors: those of placeRoads() and cutRoads().
 foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& description,
                                         const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile);
 
-/// Returns ribbons to paint on the ground for roads that are too far away to be drawn as meshes: as wide as the lanes that cars
-/// use, unmarked; nothing on bridges and in tunnels, nothing beyond the end of a road that no other one follows. Frame: the scene's.
+/// Returns ribbons to paint on the ground for roads that are too far away to be drawn as meshes: as wide as
+/// the lanes that cars use, unmarked; nothing on bridges and in tunnels, nothing beyond the end of a road
+/// that no other one follows. Frame: the scene's.
 std::vector<osgTerrainROAM::core::GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads);
 
 /// A tile whose ground is cut to its earthworks and to the roads on it.
@@ -32,8 +33,8 @@ struct RoadTile
     SceneRoads roads; ///< `placed` null: none are named
 };
 
-/// Loads the tile that a .roam file describes, shapes it by its earthworks and lays its roads. Errors: those of loadRoamTile() and
-/// layRoads().
+/// Loads the tile that a .roam file describes, shapes it by its earthworks and lays its roads. Errors: those
+/// of loadRoamTile() and layRoads().
 foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description);
 
 } // namespace scenery

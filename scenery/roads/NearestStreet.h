@@ -13,8 +13,8 @@ namespace scenery
 
 inline constexpr double kStreetOfHouseM = 60.0; ///< a street farther away is not a house's
 
-/// Returns a function that finds the nearest place of a street in the plan from a place on the ground, within kStreetOfHouseM. The network must
-/// outlive it. Frame: the scene's.
+/// Returns a function that finds the nearest place of a street in the plan from a place on the ground, within
+/// kStreetOfHouseM. The network must outlive it. Frame: the scene's.
 inline std::function<std::optional<glm::dvec2>(const glm::dvec3&)>
 nearestStreet(const osgRoads::core::PlacedNetwork& roads)
 {

@@ -36,7 +36,8 @@ glm::dvec3 onTile(const PlacedTile& tile, double latitudeDeg, double longitudeDe
     return frame.positionAt(grid.x, grid.y, heightM);
 }
 
-/// About a stated origin metres of the file are metres along meridian and parallel; off by (distance / Earth's radius)².
+/// About a stated origin metres of the file are metres along meridian and parallel; off by (distance /
+/// Earth's radius)².
 PlanMap::Place placeByOrigin(const PlacedTile& tile, const RoadOrigin& origin)
 {
     constexpr double kA = 6378137.0, kE2 = 6.69437999014e-3; // WGS84

@@ -47,7 +47,8 @@ struct SceneRoads
     std::string file;
 };
 
-/// The part of the plan that the usable roads of a network take up, lanes included. Frame: inertial. Units: metres.
+/// The part of the plan that the usable roads of a network take up, lanes included. Frame: inertial. Units:
+/// metres.
 struct PlanExtent
 {
     glm::dvec2 low{0.0}, high{0.0};
@@ -65,8 +66,8 @@ struct RoadsFile
 foundation::Result<RoadsFile> readRoads(const std::filesystem::path& file);
 
 /// Reads a network and places it on a tile. On a planar tile the file's x and y are the tile's.
-/// Errors: those of readNetwork(); on a curved tile, neither a geoReference nor an origin; a place that PROJ cannot compute; roads
-/// that lie beyond the tile's data.
+/// Errors: those of readNetwork(); on a curved tile, neither a geoReference nor an origin; a place that PROJ
+/// cannot compute; roads that lie beyond the tile's data.
 foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request,
                                           const osgTerrainROAM::core::PlacedTile& tile);
 

@@ -11,12 +11,14 @@
 namespace scenery
 {
 
-/// The way from a network's plan to the scene and back, interpolated between nodes, so that no projection is computed for each
-/// vertex of a road. A place of the plan is a point of the scene for each height: p(x, y) + height · up(x, y).
-/// Units: metres. Errors: of the cubic interpolation 1e-6 m on networks of 40 km; those of the nodes' positions themselves.
+/// The way from a network's plan to the scene and back, interpolated between nodes, so that no projection is
+/// computed for each vertex of a road. A place of the plan is a point of the scene for each height: p(x, y) +
+/// height · up(x, y).
+/// Units: metres. Errors: of the cubic interpolation 1e-6 m on networks of 40 km; those of the nodes'
+/// positions themselves.
 /// Memory: 48 B a node, at most 67² of them. Threads: const, any.
-/// Source: Lagrange's cubic through four nodes in each direction (Abramowitz & Stegun, *Handbook of Mathematical Functions*, 1964,
-/// 25.2.13).
+/// Source: Lagrange's cubic through four nodes in each direction (Abramowitz & Stegun, *Handbook of
+/// Mathematical Functions*, 1964, 25.2.13).
 class PlanMap
 {
 public:

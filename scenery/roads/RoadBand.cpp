@@ -38,8 +38,9 @@ HeightBand bandBeyondVerge(double edgeM, double outM, double reachM, const RoadC
     return {edgeM - shape.vergeEndM - halfM, edgeM - shape.vergeEndM + halfM};
 }
 
-/// By how much the bed of a steep bank has to lie lower near an edge of the lanes: a triangle of the ground that reaches from
-/// the verge up the bank would lie above both. So there the verge's own slope goes on below the bank.
+/// By how much the bed of a steep bank has to lie lower near an edge of the lanes: a triangle of the ground
+/// that reaches from the verge up the bank would lie above both. So there the verge's own slope goes on below
+/// the bank.
 double undercutM(const osgRoads::core::Road& road, const osgRoads::core::RoadPosition& at,
                  const RoadCutShape& shape)
 {
@@ -70,7 +71,8 @@ HeightBand bandOfBridge(double surfaceM, double outM, const RoadCutShape& shape)
     return band;
 }
 
-/// Behind a portal the bands of the open road become wider with the depth, until no ground is outside of them.
+/// Behind a portal the bands of the open road become wider with the depth, until no ground is outside of
+/// them.
 HeightBand bandOfTunnel(double depthM, double surfaceM, double outM, const RoadCutShape& shape)
 {
     const double behindM = std::max(depthM - std::max(shape.portalBackM, 1.5 * shape.sampleM), 0.0);
@@ -103,8 +105,8 @@ HeightBand bandOfStructure(const PlacedNetwork& roads, const RoadMatch& match,
     return bandOfTunnel(depthM, heightM, match.distance, shape);
 }
 
-/// The bed that an open road asks for, up to a sample beyond its verge, too. A sample beyond its end the ground is as beside the verge: a triangle that
-/// rises from there to a hill would lie over its lanes.
+/// The bed that an open road asks for, up to a sample beyond its verge, too. A sample beyond its end the
+/// ground is as beside the verge: a triangle that rises from there to a hill would lie over its lanes.
 HeightBand bedOf(const PlacedNetwork& roads, const RoadMatch& match,
                  const osgTerrainROAM::core::TileFrame& frame, const RoadCutShape& shape)
 {
@@ -120,8 +122,9 @@ HeightBand bedOf(const PlacedNetwork& roads, const RoadMatch& match,
     return band;
 }
 
-/// Whether a place of a bridge lies so near to its end that the ground has to carry the road there: between a sample on the road and the
-/// next one under the bridge the ground falls, and must not do so before the bridge begins.
+/// Whether a place of a bridge lies so near to its end that the ground has to carry the road there: between a
+/// sample on the road and the next one under the bridge the ground falls, and must not do so before the
+/// bridge begins.
 bool isOnAbutment(const osgRoads::core::Road& road, const osgRoads::core::RoadStructure& structure, double s,
                   const RoadCutShape& shape)
 {

@@ -46,10 +46,11 @@ struct HeightBand
     }
 };
 
-/// Returns what the roads at a point of the scene ask of the ground there: a bed under lanes and verge, of which the lowest wins; so does that of a
-/// lower road whose lanes are as near as a sample, since a triangle of the ground from here to there must not lie over them. Elsewhere ground is
-/// kept below the decks of bridges, and behind portals it rises in a slope; over a tunnel it is left as it is (tunnelOpenings() has its inside).
-/// What lies between roads is RoadEdges' business. `scene`: on the ground as it was.
+/// Returns what the roads at a point of the scene ask of the ground there: a bed under lanes and verge, of
+/// which the lowest wins; so does that of a lower road whose lanes are as near as a sample, since a triangle
+/// of the ground from here to there must not lie over them. Elsewhere ground is kept below the decks of
+/// bridges, and behind portals it rises in a slope; over a tunnel it is left as it is (tunnelOpenings() has
+/// its inside). What lies between roads is RoadEdges' business. `scene`: on the ground as it was.
 /// Threads: const, any. Cost: some microseconds.
 HeightBand roadBand(const osgRoads::core::PlacedNetwork& roads, const osgTerrainROAM::core::TileFrame& frame,
                     const RoadCutShape& shape, const glm::dvec3& scene, double withinM);

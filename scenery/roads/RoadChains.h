@@ -23,8 +23,8 @@ struct RoadChain
     int startArea = -1, endArea = -1; ///< where it begins and ends; -1: in the open
 };
 
-/// Where roads meet in more than a line: a junction with its connecting roads, several junctions that are close together, a place
-/// where more than two roads are linked, and one link of a ring without any of these.
+/// Where roads meet in more than a line: a junction with its connecting roads, several junctions that are
+/// close together, a place where more than two roads are linked, and one link of a ring without any of these.
 struct MeetingArea
 {
     struct End
@@ -37,7 +37,8 @@ struct MeetingArea
     std::vector<End> arms;   ///< of roads that leave it
 };
 
-/// How the roads of a network hang together. Indices are those of RoadNetwork::roads; roads that cannot be used are in no part.
+/// How the roads of a network hang together. Indices are those of RoadNetwork::roads; roads that cannot be
+/// used are in no part.
 struct RoadChains
 {
     std::vector<RoadChain> chains;
@@ -47,8 +48,8 @@ struct RoadChains
 /// Between two areas a road shorter than this lies in them, which then are one. Units: metres.
 inline constexpr double kShortRoadM = 25.0;
 
-/// Parts a network into chains and the areas between them. Links to a place within a road (virtual junctions), and
-/// to ends that lie elsewhere, count for nothing.
+/// Parts a network into chains and the areas between them. Links to a place within a road (virtual
+/// junctions), and to ends that lie elsewhere, count for nothing.
 RoadChains chainsOf(const osgRoads::core::RoadNetwork& network);
 
 } // namespace scenery

@@ -93,8 +93,8 @@ void fill(Level& level)
     push(coarse, level);
 }
 
-/// Adds the heights beside a road, but for its bridges and tunnels. A sample farther out than the verge, so that the two sides of
-/// a narrow bank do not meet in one.
+/// Adds the heights beside a road, but for its bridges and tunnels. A sample farther out than the verge, so
+/// that the two sides of a narrow bank do not meet in one.
 void addRoad(const RoadNetwork& network, const TornRoads& torn, int index, const glm::dvec2& corner,
              double spacingM, Level& sums)
 {

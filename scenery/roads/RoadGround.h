@@ -12,8 +12,8 @@ namespace scenery
 {
 
 /// Ground for a network without a terrain: a plane tile around it whose heights follow the roads.
-/// Frame of the scene: x and y of the file less those of the field's south-western sample, so that a network far from its origin
-/// is as exact as one at it. Units: metres.
+/// Frame of the scene: x and y of the file less those of the field's south-western sample, so that a network
+/// far from its origin is as exact as one at it. Units: metres.
 struct RoadGround
 {
     osgTerrainROAM::core::HeightField field;
@@ -22,16 +22,17 @@ struct RoadGround
     SceneRoads roads;
 };
 
-/// Makes the ground of a network: 1000 samples or fewer along a side, kLeastSpacingM apart or more, with a margin of 600 m.
-/// Heights between roads are interpolated, coarsely where roads are far (cutRoads() fits them to the roads exactly).
+/// Makes the ground of a network: 1000 samples or fewer along a side, kLeastSpacingM apart or more, with a
+/// margin of 600 m. Heights between roads are interpolated, coarsely where roads are far (cutRoads() fits
+/// them to the roads exactly).
 /// Errors: those of readNetwork().
 /// Source: Gortler, Grzeszczuk, Szeliski & Cohen, *The Lumigraph*, 1996, section 3.4 (pull-push).
 foundation::Result<RoadGround> makeRoadGround(const std::filesystem::path& file);
 
 inline constexpr double kLeastSpacingM = 8.0;
 
-/// Returns how far apart samples beside the roads are: 2 m, twice as much for networks of more than 300 km, and so on,
-/// so that their number stays bounded.
+/// Returns how far apart samples beside the roads are: 2 m, twice as much for networks of more than 300 km,
+/// and so on, so that their number stays bounded.
 double roadSampleM(const osgRoads::core::RoadNetwork& network);
 
 } // namespace scenery

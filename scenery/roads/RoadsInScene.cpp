@@ -65,7 +65,8 @@ private:
 
     double liftAt(double s) const { return at(s).z - _road.elevation.value(s); }
 
-    /// By what an element is turned where it is placed. One that ends where it begins is judged by its first quarter.
+    /// By what an element is turned where it is placed. One that ends where it begins is judged by its first
+    /// quarter.
     double turnOf(const PlanElement& element) const
     {
         double length = element.length;

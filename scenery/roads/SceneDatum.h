@@ -12,7 +12,8 @@
 namespace scenery
 {
 
-/// Lays a network into a scene: its plan by a PlanMap; its heights are the file's, counted from zero or from profiles on the ground.
+/// Lays a network into a scene: its plan by a PlanMap; its heights are the file's, counted from zero or from
+/// profiles on the ground.
 /// Units: metres. Threads: const, any.
 class SceneDatum : public osgRoads::core::RoadDatum
 {

@@ -9,8 +9,9 @@
 namespace scenery
 {
 
-/// The stretches of roads around steps of their own elevation that no ground can follow. There the ground is left as it is, so that it goes over from
-/// one height to the other in a slope; the road is drawn as the file has it.
+/// The stretches of roads around steps of their own elevation that no ground can follow. There the ground is
+/// left as it is, so that it goes over from one height to the other in a slope; the road is drawn as the file
+/// has it.
 /// Units: metres. Threads: const, any.
 class TornRoads
 {

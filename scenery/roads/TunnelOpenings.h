@@ -10,7 +10,8 @@
 namespace scenery
 {
 
-/// Returns the insides of all tunnels, up to the middle of their linings, so that the border of the ground lies within concrete.
+/// Returns the insides of all tunnels, up to the middle of their linings, so that the border of the ground
+/// lies within concrete.
 /// Frame: the scene's. Units: metres.
 std::vector<osgTerrainROAM::core::GroundOpening> tunnelOpenings(const osgRoads::core::PlacedNetwork& roads,
                                                                 const osgRoads::core::TunnelTube& tube = {});

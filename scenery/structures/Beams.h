@@ -26,8 +26,8 @@ public:
         bar(from, to, radiusM, radiusM);
     }
 
-    /// An upright slab along two places: its foot below them, its top above, closed but for the bottom. `across`: half its width, a
-    /// horizontal vector to the left.
+    /// An upright slab along two places: its foot below them, its top above, closed but for the bottom.
+    /// `across`: half its width, a horizontal vector to the left.
     struct Slab
     {
         glm::dvec3 from, to; ///< in the middle of its top

@@ -23,8 +23,9 @@ struct WirePlace
     bool isEarth = false;
 };
 
-/// The supports of a line: one at each of its points, more where a span would be longer than usual; as high as its structure says, or
-/// higher where wires would come nearer to the ground than kClearanceM. Nothing: a support has no ground.
+/// The supports of a line: one at each of its points, more where a span would be longer than usual; as high
+/// as its structure says, or higher where wires would come nearer to the ground than kClearanceM. Nothing: a
+/// support has no ground.
 std::vector<Support> supportsOf(const Structure& line, const GroundHeight& ground);
 
 /// The wires of a kind of line.

@@ -9,8 +9,8 @@
 namespace simulation
 {
 
-/// A clock that counts whole steps of equal length. It adds no fractions, so it does not drift, and two runs agree to
-/// the last bit. Invariant: seconds() is the double nearest to step·stepS(). Units: steps, seconds.
+/// A clock that counts whole steps of equal length. It adds no fractions, so it does not drift, and two runs
+/// agree to the last bit. Invariant: seconds() is the double nearest to step·stepS(). Units: steps, seconds.
 class FixedClock
 {
 public:

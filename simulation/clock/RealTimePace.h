@@ -6,19 +6,21 @@
 namespace simulation
 {
 
-/// Tells how many fixed steps are due at a reading of a wall clock, so that simulated time follows it at a chosen rate.
+/// Tells how many fixed steps are due at a reading of a wall clock, so that simulated time follows it at a
+/// chosen rate.
 ///
-/// The steps are always whole and of one length: when pictures are drawn decides how many are made at once, never what they compute.
-/// Pictures show timeS(), which lies in or at the end of the last step made. A gap between two readings longer than `mostGapS` (a
-/// suspended machine, a machine too slow) is cut to that; what is cut is counted, not caught up.
+/// The steps are always whole and of one length: when pictures are drawn decides how many are made at once,
+/// never what they compute. Pictures show timeS(), which lies in or at the end of the last step made. A gap
+/// between two readings longer than `mostGapS` (a suspended machine, a machine too slow) is cut to that; what
+/// is cut is counted, not caught up.
 /// Invariant: (steps() - 1)·stepS < timeS() <= steps()·stepS, or both 0. Units: seconds. Threads: one.
 class RealTimePace
 {
 public:
     explicit RealTimePace(double stepS, double mostGapS = 1.0) : _stepS(stepS), _mostGapS(mostGapS) {}
 
-    /// Takes a reading of the wall clock, the first one as its start, and returns the steps that are due. One that is not finite or
-    /// before the last counts as no time.
+    /// Takes a reading of the wall clock, the first one as its start, and returns the steps that are due. One
+    /// that is not finite or before the last counts as no time.
     std::int64_t advance(double wallS);
 
     /// A pause ends the step that pictures are in.

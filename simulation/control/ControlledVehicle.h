@@ -10,7 +10,8 @@
 namespace simulation
 {
 
-/// A vehicle and whoever controls it, stepped together: the controller writes the inputs, the recorder notes them, the vehicle moves.
+/// A vehicle and whoever controls it, stepped together: the controller writes the inputs, the recorder notes
+/// them, the vehicle moves.
 /// Determinism: as its parts. The step's length is the vehicle's, whatever the rate of pictures.
 class ControlledVehicle
 {
@@ -51,8 +52,8 @@ private:
     VehicleState _before, _now;
 };
 
-/// The state between two, at a time between theirs; outside it the nearer one. Positions and velocities go straight, attitudes along the
-/// shortest arc.
+/// The state between two, at a time between theirs; outside it the nearer one. Positions and velocities go
+/// straight, attitudes along the shortest arc.
 VehicleState stateBetween(const VehicleState& from, const VehicleState& to, double timeS);
 
 } // namespace simulation

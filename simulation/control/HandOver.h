@@ -10,9 +10,9 @@
 namespace simulation
 {
 
-/// Two who control one vehicle in turn: an autopilot, a driver or a recording, and hands. Whoever has it not is not asked. Taking over begins
-/// with the inputs as they are, so nothing jumps; an automatic that gets it back goes on with its orders from where the vehicle is
-/// (VehicleController::resume()).
+/// Two who control one vehicle in turn: an autopilot, a driver or a recording, and hands. Whoever has it not
+/// is not asked. Taking over begins with the inputs as they are, so nothing jumps; an automatic that gets it
+/// back goes on with its orders from where the vehicle is (VehicleController::resume()).
 /// Threads: one.
 class HandOver final : public VehicleController
 {
@@ -44,7 +44,8 @@ public:
     /// From now on the automatic is asked while the hands have it, and what it would do is kept: a test aid.
     void watchWishes() { _watches = _automatic != nullptr; }
 
-    /// The inputs that the automatic would have written at the last step; empty before the first, or unwatched.
+    /// The inputs that the automatic would have written at the last step; empty before the first, or
+    /// unwatched.
     std::span<const double> wishes() const { return _wishes; }
 
     void control(const ControlView& view, std::span<double> inputs) override

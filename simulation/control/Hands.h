@@ -23,29 +23,33 @@ struct HandAxis
     double returnPerSecond = 0.0; ///< towards `rest` while none is; 0: it stays
     double rest = 0.0;
 
-    /// How far held keys reach at a speed in m/s: (softMps / speed)² + softLeast of the range, 1 at most, so that a bend's lateral
-    /// acceleration stays the same. softMps 0: they reach all.
+    /// How far held keys reach at a speed in m/s: (softMps / speed)² + softLeast of the range, 1 at most, so
+    /// that a bend's lateral acceleration stays the same. softMps 0: they reach all.
     double softMps = 0.0, softLeast = 0.0;
 
     /// Where hands that control from the first step on put it; absent: where it is.
     std::optional<double> start{};
 };
 
-/// Controls a vehicle as a person does: keys that are held move an input step by step, devices put it where they are.
-/// Determinism: the inputs depend on the calls between steps alone, not on when pictures are drawn. Threads: one.
+/// Controls a vehicle as a person does: keys that are held move an input step by step, devices put it where
+/// they are.
+/// Determinism: the inputs depend on the calls between steps alone, not on when pictures are drawn. Threads:
+/// one.
 class Hands final : public VehicleController
 {
 public:
     /// Errors: an axis of an input that the vehicle has not.
     static foundation::Result<Hands> create(std::vector<HandAxis> axes, const DynamicVehicle& vehicle);
 
-    /// Takes over: every input goes on from where it is. `isStart`: at the first step of all; what was put before it stays.
+    /// Takes over: every input goes on from where it is. `isStart`: at the first step of all; what was put
+    /// before it stays.
     void take(std::span<const double> inputs, bool isStart = false);
 
     /// A key is held that moves the axis up (1) or down (-1), or none is (0).
     void hold(std::size_t axis, double direction);
 
-    /// Puts an axis where a device is; it stays there until a key moves it. Numbers outside its range count as the nearest in it.
+    /// Puts an axis where a device is; it stays there until a key moves it. Numbers outside its range count
+    /// as the nearest in it.
     void put(std::size_t axis, double value);
 
     /// Moves an axis by an amount, within its range.

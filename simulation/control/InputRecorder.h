@@ -10,7 +10,8 @@
 namespace simulation
 {
 
-/// Records the inputs of a vehicle step by step; a row is kept where an input changes. RecordedInputs plays the file back to the last bit.
+/// Records the inputs of a vehicle step by step; a row is kept where an input changes. RecordedInputs plays
+/// the file back to the last bit.
 class InputRecorder
 {
 public:

@@ -17,7 +17,8 @@ namespace simulation
 /// What an input of InputTrack is where nothing is said of it.
 inline constexpr double kInputNotGiven = -1e300;
 
-/// The inputs of a vehicle over its steps or over time, as the inputs file has them (docs/reference/inputs-file.md).
+/// The inputs of a vehicle over its steps or over time, as the inputs file has them
+/// (docs/reference/inputs-file.md).
 struct InputTrack
 {
     /// Inputs from one step or time on.
@@ -44,11 +45,13 @@ struct InputTrack
 };
 
 /// Reads an inputs file. `name` stands for the file in errors.
-/// Errors, with the line: no or another first line, an unknown word, a column without a name or with one twice, a row with too many
-/// or too few cells, a cell that is no number, rows that do not ascend, no row, more than 64 columns.
+/// Errors, with the line: no or another first line, an unknown word, a column without a name or with one
+/// twice, a row with too many or too few cells, a cell that is no number, rows that do not ascend, no row,
+/// more than 64 columns.
 foundation::Result<InputTrack> parseInputs(std::string_view text, const std::string& name);
 
-/// Reads an inputs file. Errors: besides those of parseInputs() a file that cannot be read or is larger than 256 MiB.
+/// Reads an inputs file. Errors: besides those of parseInputs() a file that cannot be read or is larger than
+/// 256 MiB.
 foundation::Result<InputTrack> readInputs(const std::filesystem::path& file);
 
 /// The text of an inputs file, which parseInputs() reads back as the same numbers.

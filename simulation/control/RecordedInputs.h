@@ -9,11 +9,13 @@
 namespace simulation
 {
 
-/// Plays the inputs of a track. An input that the track does not name, or not yet, stays as the vehicle has it.
+/// Plays the inputs of a track. An input that the track does not name, or not yet, stays as the vehicle has
+/// it.
 class RecordedInputs final : public VehicleController
 {
 public:
-    /// `name`: stands for the file in errors. Errors: an input that the vehicle does not have; a track that was recorded at another step.
+    /// `name`: stands for the file in errors. Errors: an input that the vehicle does not have; a track that
+    /// was recorded at another step.
     static foundation::Result<RecordedInputs> create(InputTrack track, const DynamicVehicle& vehicle,
                                                      const std::string& name);
 

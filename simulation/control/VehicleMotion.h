@@ -10,16 +10,18 @@
 namespace simulation
 {
 
-/// Moves an entity as a vehicle and its controller do. The vehicle makes its own steps, whatever times are asked for; between two of them
-/// the state is interpolated: equal times have equal vehicle states at any rate of pictures.
+/// Moves an entity as a vehicle and its controller do. The vehicle makes its own steps, whatever times are
+/// asked for; between two of them the state is interpolated: equal times have equal vehicle states at any
+/// rate of pictures.
 class VehicleMotion final : public ExternalMotion
 {
 public:
     VehicleMotion(std::unique_ptr<ControlledVehicle> vehicle, std::shared_ptr<const Ground> ground,
                   std::shared_ptr<const Air> air);
 
-    /// Takes wind, air and road friction from the environment of the scenario, from begin() on. `originHeightM`: of the scene's origin
-    /// above the ellipsoid; `turbulenceMps`: deviation of gusts above 600 m.
+    /// Takes wind, air and road friction from the environment of the scenario, from begin() on.
+    /// `originHeightM`: of the scene's origin above the ellipsoid; `turbulenceMps`: deviation of gusts above
+    /// 600 m.
     void followWeather(double originHeightM, double turbulenceMps);
 
     foundation::Outcome begin(const EntityState& start, bool isAirborne, double timeS,
@@ -59,7 +61,8 @@ private:
     std::string _note;
 };
 
-/// Place, attitude and speed of a vehicle's reference point, as entities have them. `reference`: of DynamicVehicle.
+/// Place, attitude and speed of a vehicle's reference point, as entities have them. `reference`: of
+/// DynamicVehicle.
 EntityState entityStateOf(const VehicleState& vehicle, const glm::dvec3& reference);
 
 } // namespace simulation

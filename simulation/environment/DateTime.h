@@ -23,8 +23,8 @@ struct DateTime
     double julianDay() const;
 };
 
-/// Reads an xsd:dateTime such as 2025-06-13T06:00:00.000+02:00, years 1 to 9999. A missing zone means UTC. Returns
-/// nothing for other text and for an impossible date.
+/// Reads an xsd:dateTime such as 2025-06-13T06:00:00.000+02:00, years 1 to 9999. A missing zone means UTC.
+/// Returns nothing for other text and for an impossible date.
 std::optional<DateTime> parseDateTime(std::string_view text);
 
 /// Writes an instant in UTC with milliseconds: 2025-06-13T04:00:00.000Z.

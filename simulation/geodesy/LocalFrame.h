@@ -18,8 +18,8 @@ struct Geodetic
 };
 
 /// The local east-north-up frame of a scene about its geodetic origin.
-/// Frame: right-handed; at the origin x is east, y north, z up. The Earth curves away below the plane z = 0. Units:
-/// metres; degrees for geodetic positions. Threads: immutable, any.
+/// Frame: right-handed; at the origin x is east, y north, z up. The Earth curves away below the plane z = 0.
+/// Units: metres; degrees for geodetic positions. Threads: immutable, any.
 /// Source: GeographicLib::LocalCartesian.
 class LocalFrame
 {

@@ -16,8 +16,8 @@
 namespace simulation
 {
 
-/// The catalogues of a scenario: the regular .xosc files directly in the folders that CatalogLocations names, and files that
-/// it names themselves. The files of a folder are sorted by name, and each is read once.
+/// The catalogues of a scenario: the regular .xosc files directly in the folders that CatalogLocations names,
+/// and files that it names themselves. The files of a folder are sorted by name, and each is read once.
 class CatalogShelf
 {
 public:
@@ -33,8 +33,8 @@ public:
         pugi::xml_node node;
     };
 
-    /// Finds an entry of a catalogue, which is named by its own name or by the name of its file; empty when there is
-    /// none.
+    /// Finds an entry of a catalogue, which is named by its own name or by the name of its file; empty when
+    /// there is none.
     Entry find(const std::string& catalog, const std::string& entry) const;
 
 private:
@@ -46,13 +46,14 @@ private:
     std::vector<std::unique_ptr<XmlSource>> _sources;
 };
 
-/// The scope of a catalogue entry. While it lives, the context has the file of the entry, and finds the parameters of
-/// the entry before those of the scenario. (The standard hides the latter; files in use count on them.)
+/// The scope of a catalogue entry. While it lives, the context has the file of the entry, and finds the
+/// parameters of the entry before those of the scenario. (The standard hides the latter; files in use count
+/// on them.)
 class CatalogVisit
 {
 public:
-    /// `reference`: a CatalogReference element. A missing entry or a cycle becomes a problem, and entry() is then
-    /// empty. `instead`: what is done without the entry; null: nothing can be.
+    /// `reference`: a CatalogReference element. A missing entry or a cycle becomes a problem, and entry() is
+    /// then empty. `instead`: what is done without the entry; null: nothing can be.
     explicit CatalogVisit(ElementReader reference, const char* instead = nullptr);
     ~CatalogVisit();
     CatalogVisit(const CatalogVisit&) = delete;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of all elements. A change here changes docs/reference/openscenario-coverage.md: `trainer check --coverage` prints it.
+// The table of all elements. A change here changes docs/reference/openscenario-coverage.md: `trainer check
+// --coverage` prints it.
 #include "simulation/parser/Coverage.h"
 
 #include <array>

@@ -15,7 +15,8 @@ bool isEmpty(pugi::xml_node node)
            !node.find_child([](pugi::xml_node child) { return child.type() == pugi::node_element; });
 }
 
-/// Whether a parser has asked for the element or for one below it: elements that only hold others are not asked for.
+/// Whether a parser has asked for the element or for one below it: elements that only hold others are not
+/// asked for.
 bool isTouched(const ParseContext& context, pugi::xml_node node)
 {
     if (context.isTouched(node)) return true;

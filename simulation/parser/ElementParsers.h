@@ -6,8 +6,8 @@
 namespace simulation
 {
 
-// One function for each element that is read: it turns the element into its plain value. Problems go to the context
-// of the reader; each function returns a usable value in every case.
+// One function for each element that is read: it turns the element into its plain value. Problems go to the
+// context of the reader; each function returns a usable value in every case.
 
 Position parsePosition(ElementReader reader);               // ParsePosition.cpp
 Orientation parseOrientation(ElementReader reader);         // ParsePosition.cpp
@@ -16,8 +16,9 @@ Route parseRouteIn(ElementReader holder);                   // ParseRoute.cpp
 RoutePosition parseRoutePosition(ElementReader reader);     // ParseRoute.cpp
 Trajectory parseTrajectory(ElementReader reader);           // ParseTrajectory.cpp
 TrajectoryShape parseTrajectoryShape(ElementReader reader); // ParseTrajectoryShape.cpp
-/// Refuses times that a Timing cannot use; of vertices at one time the first is kept. `holder`: the element that the problem
-/// is told of. Returns false where the shape has no time at all, so that the Timing stands for nothing.
+/// Refuses times that a Timing cannot use; of vertices at one time the first is kept. `holder`: the element
+/// that the problem is told of. Returns false where the shape has no time at all, so that the Timing stands
+/// for nothing.
 bool checkShapeTimes(ParseContext& context, pugi::xml_node holder,
                      TrajectoryShape& shape);                             // CheckShapeTimes.cpp
 TrajectoryPosition parseTrajectoryPosition(ElementReader reader);         // ParseTrajectory.cpp

@@ -15,9 +15,9 @@
 namespace simulation
 {
 
-/// Reads the attributes and children of one element as typed values and replaces parameters. A missing or wrong value
-/// becomes a problem of the context and is returned as a neutral value, so that callers need not check each
-/// attribute.
+/// Reads the attributes and children of one element as typed values and replaces parameters. A missing or
+/// wrong value becomes a problem of the context and is returned as a neutral value, so that callers need not
+/// check each attribute.
 class ElementReader
 {
 public:
@@ -39,15 +39,17 @@ public:
     std::string textOr(const char* attribute, const std::string& fallback);
     /// Returns a text on which no motion depends; one that is missing is told and left empty.
     std::string textAssumed(const char* attribute);
-    /// Returns the attribute `name`, at most 256 characters, because each storyboard element keeps the path of its
-    /// names. Names are text: `${…}` in a name is not computed. One that is missing is told and left empty.
+    /// Returns the attribute `name`, at most 256 characters, because each storyboard element keeps the path
+    /// of its names. Names are text: `${…}` in a name is not computed. One that is missing is told and left
+    /// empty.
     std::string name();
     /// Returns a finite number within ±1e9. This bound keeps everything that is computed from it finite.
     double number(const char* attribute);
     double numberOr(const char* attribute, double fallback);
     /// A number that is missing is told, and `fallback` is taken.
     double numberAssumed(const char* attribute, double fallback);
-    /// Returns a number that only bounds others, or is compared with them: `INF` and what is beyond 1e9 count as 1e9.
+    /// Returns a number that only bounds others, or is compared with them: `INF` and what is beyond 1e9 count
+    /// as 1e9.
     double bound(const char* attribute);
     std::optional<double> optionalBound(const char* attribute);
     std::optional<double> optionalNumber(const char* attribute);
@@ -91,8 +93,8 @@ public:
 
     bool hasContent() const; ///< a child element, whatever its name
 
-    /// Returns the only child element, whatever its name; of several the first that the standard has. No child is a problem, and an
-    /// empty element is returned.
+    /// Returns the only child element, whatever its name; of several the first that the standard has. No
+    /// child is a problem, and an empty element is returned.
     ElementReader onlyChild();
 
     /// Reports each other child element as an unsupported one.

@@ -12,7 +12,8 @@
 namespace simulation
 {
 
-/// The words of OpenSCENARIO for the values of an enumeration. A value is written with the first of its words.
+/// The words of OpenSCENARIO for the values of an enumeration. A value is written with the first of its
+/// words.
 template<class Value, std::size_t Count>
 using Keywords = std::array<std::pair<std::string_view, Value>, Count>;
 

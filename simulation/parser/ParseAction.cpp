@@ -117,7 +117,8 @@ PrivateAction parseTrailerAction(ElementReader reader)
     return action;
 }
 
-/// From 1.1 on a ControllerAction has one of the actions on controllers; in 1.0 two of them stand in it together.
+/// From 1.1 on a ControllerAction has one of the actions on controllers; in 1.0 two of them stand in it
+/// together.
 PrivateAction parseControllerAction(ElementReader reader)
 {
     reader.allowChildren(

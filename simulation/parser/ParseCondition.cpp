@@ -12,7 +12,8 @@ ValueCondition parseValue(ElementReader reader, std::string name)
     return {std::move(name), reader.text("value"), reader.choice("rule", kRules)};
 }
 
-/// Some programs keep their criteria as conditions on parameters that nobody declares: such a condition is never true.
+/// Some programs keep their criteria as conditions on parameters that nobody declares: such a condition is
+/// never true.
 ConditionContent parseParameterCondition(ElementReader reader)
 {
     std::string name = reader.node.attribute("parameterRef").value();

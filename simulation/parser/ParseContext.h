@@ -21,8 +21,8 @@ namespace simulation
 class CatalogShelf;
 struct ElementCoverage;
 
-/// The state of one reading: the visible parameters, the current file and the problems found. A strict reading keeps
-/// the first problem only, and its caller returns it as the Error.
+/// The state of one reading: the visible parameters, the current file and the problems found. A strict
+/// reading keeps the first problem only, and its caller returns it as the Error.
 class ParseContext
 {
 public:
@@ -30,12 +30,13 @@ public:
 
     ParseContext(const ParseOptions& options, const XmlSource& source, CatalogShelf& shelf);
 
-    /// Reports an element that is not in effect, or that the standard has not, by its row of the table of elements. Each element is
-    /// reported once.
+    /// Reports an element that is not in effect, or that the standard has not, by its row of the table of
+    /// elements. Each element is reported once.
     void foreign(pugi::xml_node node, const std::string& what);
     /// Reports something about an element that is not in effect. `instead`: what is done instead.
     void unsupported(pugi::xml_node node, const std::string& what, const std::string& instead);
-    /// Reports an element that is not in all in effect; the first of its name. A strict reading does not stop at it.
+    /// Reports an element that is not in all in effect; the first of its name. A strict reading does not stop
+    /// at it.
     void approximated(pugi::xml_node node, const ElementCoverage& coverage);
     /// Reports a controller of a kind that is not played. A strict reading does not stop at it.
     void controllerNotPlayed(pugi::xml_node node, const std::string& kind);
@@ -61,8 +62,8 @@ public:
 
     std::optional<std::string> lookup(std::string_view name) const;
 
-    /// Reads the ParameterDeclarations below `parent` into the innermost scope. A declaration sees the declarations
-    /// before it. Values in `given` replace declared values.
+    /// Reads the ParameterDeclarations below `parent` into the innermost scope. A declaration sees the
+    /// declarations before it. Values in `given` replace declared values.
     std::vector<ParameterDeclaration> declareParameters(pugi::xml_node parent, const Scope& given);
     void pushScope() { _scopes.emplace_back(); }
     void popScope() { _scopes.pop_back(); }
@@ -89,8 +90,8 @@ private:
     std::set<std::string_view> _approximated;            ///< elements that have been told
 };
 
-/// Opens a scope for the declarations of one element and closes it at the end of the block. The declarations of a
-/// catalogue entry are in place already, with the values of its reference.
+/// Opens a scope for the declarations of one element and closes it at the end of the block. The declarations
+/// of a catalogue entry are in place already, with the values of its reference.
 class ParameterScope
 {
 public:

@@ -15,8 +15,8 @@ namespace simulation
 /// Values for some parameters, each with the name of its parameter.
 using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns the values of one deterministic distribution, in order: of a single parameter, or of several together.
-/// Problems go to the context; a distribution that is not read returns no values.
+/// Returns the values of one deterministic distribution, in order: of a single parameter, or of several
+/// together. Problems go to the context; a distribution that is not read returns no values.
 std::vector<ParameterValues> parseDeterministic(ElementReader distribution);
 
 /// The distribution of one parameter that is left to chance.

@@ -104,8 +104,8 @@ Object parseSimpleObject(ElementReader reader, const char* categoryAttribute)
     return object;
 }
 
-/// Reads the entity of an object, and behind it in `objects` the trailers that are defined in place: the trailer of X is
-/// X+, that of X+ is X++, as in esmini.
+/// Reads the entity of an object, and behind it in `objects` the trailers that are defined in place: the
+/// trailer of X is X+, that of X+ is X++, as in esmini.
 /// `instead`: what is done without an entry of a catalogue; null: nothing can be.
 void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects,
                  const char* instead = nullptr);

@@ -141,7 +141,8 @@ std::vector<std::string> parseEntityRefs(ElementReader reference)
     return {parseEntityRef(reference, "entityRef")};
 }
 
-/// `alongRoute` = `true` (1.0; deprecated from 1.1 on) stands for the frame of the lane, along it, as in esmini.
+/// `alongRoute` = `true` (1.0; deprecated from 1.1 on) stands for the frame of the lane, along it, as in
+/// esmini.
 DistanceMeasure parseDistanceMeasure(ElementReader& reader)
 {
     DistanceMeasure measure;

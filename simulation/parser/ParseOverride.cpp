@@ -18,7 +18,8 @@ std::optional<ControlOverride> parsePedal(const ElementReader& parent, const cha
                            std::clamp(reader.numberOr("value", 0.0), 0.0, 1.0), false};
 }
 
-/// From 1.2 on the value stands in BrakePercent (a share up to 1, or above it per cent) or BrakeForce (newtons).
+/// From 1.2 on the value stands in BrakePercent (a share up to 1, or above it per cent) or BrakeForce
+/// (newtons).
 std::optional<ControlOverride> parseBrake(const ElementReader& parent, const char* name)
 {
     const pugi::xml_node node = parent.node.child(name);

@@ -17,8 +17,8 @@ namespace simulation
 
 struct ParseOptions
 {
-    /// True: unsupported and wrong content is collected as problems and reading goes on. False: reading ends at the
-    /// first. Text that is not XML or not OpenSCENARIO is an Error in both cases.
+    /// True: unsupported and wrong content is collected as problems and reading goes on. False: reading ends
+    /// at the first. Text that is not XML or not OpenSCENARIO is an Error in both cases.
     bool tolerant = false;
 
     /// Values that replace those of the file for its top-level parameters.
@@ -51,12 +51,12 @@ struct ParsedScenario
         elements; ///< how many of each there are, without what stands in those not in effect
 };
 
-/// Reads an OpenSCENARIO XML file, 1.0 to 1.3, and the catalogues that it names relative to its folder; only folders
-/// and regular files are opened. Content that the model cannot hold becomes a problem with the name of the element.
-/// Parameters: `$name` and `${expression}` are replaced while reading; a declaration sees those before it, so there
-/// are no cycles.
-/// Errors, each as `file:line`: not readable, larger than the limit, not XML, more than 64 nested elements, not a
-/// scenario; a strict reading also returns the first problem.
+/// Reads an OpenSCENARIO XML file, 1.0 to 1.3, and the catalogues that it names relative to its folder; only
+/// folders and regular files are opened. Content that the model cannot hold becomes a problem with the name
+/// of the element.
+/// Parameters: `$name` and `${expression}` are replaced while reading; a declaration sees those before it, so
+/// there are no cycles. Errors, each as `file:line`: not readable, larger than the limit, not XML, more than
+/// 64 nested elements, not a scenario; a strict reading also returns the first problem.
 foundation::Result<ParsedScenario> readScenario(const std::filesystem::path& file,
                                                 const ParseOptions& options = {});
 

@@ -38,7 +38,8 @@ ValueRange parseOptionalRange(ElementReader& parent)
     return node ? parseRangeOf({parent.context, node}) : ValueRange{};
 }
 
-/// Draws until a value is within the range; after many that are not, takes the limit that is nearest to the last.
+/// Draws until a value is within the range; after many that are not, takes the limit that is nearest to the
+/// last.
 template<class Sample>
 Draw within(const ValueRange& range, Sample sample)
 {

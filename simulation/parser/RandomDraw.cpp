@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine is the Mersenne Twister of the C++ standard, whose bits are the same everywhere; the distributions of the standard
-// library are not, so they stand here. Source: Box and Muller, "A note on the generation of random normal deviates", 1958; Devroye,
-// "Non-uniform random variate generation", 1986, X.3.3 (Poisson by inversion).
+// The engine is the Mersenne Twister of the C++ standard, whose bits are the same everywhere; the
+// distributions of the standard library are not, so they stand here. Source: Box and Muller, "A note on the
+// generation of random normal deviates", 1958; Devroye, "Non-uniform random variate generation", 1986, X.3.3
+// (Poisson by inversion).
 #include "simulation/parser/RandomDraw.h"
 
 #include <cmath>

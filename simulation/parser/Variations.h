@@ -34,9 +34,10 @@ struct VariationSet
 };
 
 /// Reads a file of parameter-value distributions; nothing: the file holds something else.
-/// Deterministic distributions give every combination of their values, the last one changing fastest. Stochastic ones give
-/// numberOfTestRuns variations; the value of a parameter depends on the seed, its name and the number of the run alone, so each
-/// variation can be had again. `seed`: instead of the file's randomSeed (without both: 0). At most 100 000 variations.
+/// Deterministic distributions give every combination of their values, the last one changing fastest.
+/// Stochastic ones give numberOfTestRuns variations; the value of a parameter depends on the seed, its name
+/// and the number of the run alone, so each variation can be had again. `seed`: instead of the file's
+/// randomSeed (without both: 0). At most 100 000 variations.
 /// Errors: as readScenario().
 /// Source: ASAM, *OpenSCENARIO XML* 1.3, "Parameter value distributions".
 foundation::Result<std::optional<VariationSet>> readVariations(const std::filesystem::path& file,

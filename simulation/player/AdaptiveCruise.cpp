@@ -17,8 +17,9 @@ constexpr double kRoomMps2 = 2.5;  ///< of acceleration where there is room
 constexpr double kFreeShare = 0.7; ///< of the greatest acceleration, where the road is free
 
 /// esmini's ACCController. With `x` = (gap − wanted gap) / wanted gap, at most 1, the acceleration is
-/// x·(2.5 m/s² + own set speed − speed of the lead) − (own speed − speed of the lead): the set speed rules where there is room, the
-/// speed of the lead where the gap is as wanted. The wanted gap is 3 m and the way of `timeGap` seconds.
+/// x·(2.5 m/s² + own set speed − speed of the lead) − (own speed − speed of the lead): the set speed rules
+/// where there is room, the speed of the lead where the gap is as wanted. The wanted gap is 3 m and the way
+/// of `timeGap` seconds.
 class AdaptiveCruise final : public SpeedController
 {
 public:

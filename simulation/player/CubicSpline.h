@@ -8,11 +8,12 @@ namespace simulation
 {
 
 /// A function of one parameter that passes through given knots exactly.
-/// `natural`: twice continuously differentiable, no curvature at the ends. `linear`: straight between the knots.
-/// Invariant: at least two knots, strictly increasing, and one value for each. Cost: construction linear, evaluation
-/// logarithmic.
-/// Source: de Boor, *A Practical Guide to Splines*, 1978, chapter IV (natural end conditions), written in second
-/// derivatives.
+/// `natural`: twice continuously differentiable, no curvature at the ends. `linear`: straight between the
+/// knots.
+/// Invariant: at least two knots, strictly increasing, and one value for each. Cost: construction linear,
+/// evaluation logarithmic.
+/// Source: de Boor, *A Practical Guide to Splines*, 1978, chapter IV (natural end conditions), written in
+/// second derivatives.
 class CubicSpline
 {
 public:

@@ -83,8 +83,8 @@ double betweenBoxes(const MeasuredBody& from, const MeasuredBody& to)
     return least;
 }
 
-/// How far a box reaches along the reference line before and behind its reference point, in the direction in which `from`
-/// looks: of its corners, each by the circle that the road follows there.
+/// How far a box reaches along the reference line before and behind its reference point, in the direction in
+/// which `from` looks: of its corners, each by the circle that the road follows there.
 Extent alongRoad(const MeasuredBody& body, bool isForward)
 {
     const RoadPlace& place = *body.state->place;

@@ -18,10 +18,10 @@ struct MeasuredBody
     BoundingBox box;
 };
 
-/// Returns the distance from one body to another, in metres. Longitudinal distances are positive ahead of `from`, lateral
-/// ones to its left; freespace ones are 0 where the boxes overlap in that direction. Nothing: no road leads from one to the other.
-/// All are in the plan view, as
-/// in esmini. The frame `lane` measures along the lanes, `trajectory` counts as `road`. Source: ASAM OpenSCENARIO XML 1.3, "Distances".
+/// Returns the distance from one body to another, in metres. Longitudinal distances are positive ahead of
+/// `from`, lateral ones to its left; freespace ones are 0 where the boxes overlap in that direction. Nothing:
+/// no road leads from one to the other. All are in the plan view, as in esmini. The frame `lane` measures
+/// along the lanes, `trajectory` counts as `road`. Source: ASAM OpenSCENARIO XML 1.3, "Distances".
 std::optional<double> distanceBetween(const MeasuredBody& from, const MeasuredBody& to,
                                       const DistanceMeasure& measure, const RoadScene* roads);
 

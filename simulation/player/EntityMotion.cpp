@@ -153,7 +153,8 @@ void EntityMotion::advanceTo(double timeS, double stepS)
     _timeS = timeS;
 }
 
-/// By the speed at the end of the step, or that at its beginning where a lane change moves the entity before its speed changes.
+/// By the speed at the end of the step, or that at its beginning where a lane change moves the entity before
+/// its speed changes.
 double EntityMotion::roadStepM(double timeS, double stepS) const
 {
     const bool isBefore = _along && _along->order < _speedTicket;

@@ -17,13 +17,13 @@
 namespace simulation
 {
 
-/// Moves one entity along its trajectory, or straight ahead without one, at the speed given by its last speed action
-/// or by the times of the trajectory. An entity that is not airborne stands on the ground where the scene has ground.
-/// An airborne entity banks as a coordinated turn requires, tan(bank) = v²κ/g, up to 60°, and pitches along its path,
-/// unless the vertices give these angles.
-/// A trajectory with times sets the speed while it runs; afterwards the entity keeps its last motion.
-/// On a road network an entity without trajectory keeps its lane and its offset from the lane's middle, and moves in each step by
-/// the speed at the end of the step, as esmini does; elsewhere the distance is the integral of the speed.
+/// Moves one entity along its trajectory, or straight ahead without one, at the speed given by its last speed
+/// action or by the times of the trajectory. An entity that is not airborne stands on the ground where the
+/// scene has ground. An airborne entity banks as a coordinated turn requires, tan(bank) = v²κ/g, up to 60°,
+/// and pitches along its path, unless the vertices give these angles. A trajectory with times sets the speed
+/// while it runs; afterwards the entity keeps its last motion. On a road network an entity without trajectory
+/// keeps its lane and its offset from the lane's middle, and moves in each step by the speed at the end of
+/// the step, as esmini does; elsewhere the distance is the integral of the speed.
 class EntityMotion
 {
 public:
@@ -40,7 +40,8 @@ public:
     /// Sets the speed from now on; ends the speed action.
     void setSpeed(double speedMps, double timeS);
 
-    /// Puts the entity onto a lane at its s, its heading turned to the left of the lane's direction in which it drives.
+    /// Puts the entity onto a lane at its s, its heading turned to the left of the lane's direction in which
+    /// it drives.
     void setLane(int lane, double offsetM, double turnRad);
 
     /// What a lane change leaves of the way of the next step.
@@ -62,7 +63,8 @@ public:
     /// Puts the entity where it is drawn to, at the speed of what draws it.
     void towTo(const glm::dvec3& position, double headingRad, double speedMps);
 
-    /// Takes the state of what moves the entity in place of its actions; name and place on the road are found here.
+    /// Takes the state of what moves the entity in place of its actions; name and place on the road are found
+    /// here.
     void takeState(const EntityState& state, double timeS);
 
     const RoadWay& way() const { return _way; }
@@ -91,14 +93,15 @@ public:
     /// The speed that the actions ask for, whoever moves the entity. Units: m/s.
     double askedSpeedAt(double timeS) const { return _speed.speedAt(timeS - _speedStartS); }
 
-    /// Where it goes by itself from here: the rest of its trajectory, else its lane by its way, up to a length. Without either no points.
+    /// Where it goes by itself from here: the rest of its trajectory, else its lane by its way, up to a
+    /// length. Without either no points.
     WayAhead wayAhead(double lengthM) const;
 
     /// The way along the rest of its trajectory to a place: see TrajectoryRun::wayTo(). Nothing without one.
     std::optional<double> wayOnTrajectory(const glm::dvec3& place) const;
 
-    /// Starts an action and returns its ticket for isDone() and cancel(). A new action of the same kind ends the one
-    /// before.
+    /// Starts an action and returns its ticket for isDone() and cancel(). A new action of the same kind ends
+    /// the one before.
     std::int64_t startSpeed(const SpeedAction& action, double timeS);
     std::int64_t startTrajectory(const FollowTrajectoryAction& action, double timeS);
     std::int64_t speedTicket() const { return _speedTicket; }

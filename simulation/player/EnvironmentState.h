@@ -26,9 +26,10 @@ struct EnvironmentState
     std::string roadWetness = "dry";                ///< in the standard's words
 };
 
-/// The environment as the actions so far have set it, and as it changes during the day. An action changes only what
-/// it contains. The sun follows from date, time and position until an action gives its direction; an action with a
-/// time of day and without a sun ends this. A scene without georeference uses the sun of 45° N, 0° E.
+/// The environment as the actions so far have set it, and as it changes during the day. An action changes
+/// only what it contains. The sun follows from date, time and position until an action gives its direction;
+/// an action with a time of day and without a sun ends this. A scene without georeference uses the sun of 45°
+/// N, 0° E.
 /// Initial state: 2024-06-21T10:00:00Z, the time of day does not advance, no fog.
 class EnvironmentClock
 {

@@ -11,13 +11,15 @@
 namespace simulation
 {
 
-/// Moves one entity of a scenario by something else than its actions: a vehicle with physics and whoever controls it.
+/// Moves one entity of a scenario by something else than its actions: a vehicle with physics and whoever
+/// controls it.
 class ExternalMotion
 {
 public:
     virtual ~ExternalMotion() = default;
 
-    /// Begins where the Init actions put the entity: an airborne one with a speed flies, any other stands on the ground or rolls.
+    /// Begins where the Init actions put the entity: an airborne one with a speed flies, any other stands on
+    /// the ground or rolls.
     /// Errors: it cannot begin there.
     /// `environment`: at the time `timeS` of the simulation, which is its begin.
     virtual foundation::Outcome begin(const EntityState& start, bool isAirborne, double timeS,

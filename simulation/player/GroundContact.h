@@ -22,9 +22,10 @@ struct GroundContact
     static GroundContact of(const ScenarioObject& object);
 };
 
-/// Puts an entity on the ground at its position and heading; where surfaces lie over each other, on the one at its height. The plane that fits the ground below the four points
-/// best (equal weights) gives height, pitch and roll; the distance of each point from that plane is the travel of its
-/// wheel. The state is unchanged when a point is outside the data.
+/// Puts an entity on the ground at its position and heading; where surfaces lie over each other, on the one
+/// at its height. The plane that fits the ground below the four points best (equal weights) gives height,
+/// pitch and roll; the distance of each point from that plane is the travel of its wheel. The state is
+/// unchanged when a point is outside the data.
 /// The points keep their distances along the slope: three iterations find pitch and roll, starting level.
 void standOnGround(const GroundContact& contact, const SceneFrame& frame, EntityState& state);
 

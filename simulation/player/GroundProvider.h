@@ -17,9 +17,10 @@ struct GroundSample
     double heightM = 0.0; ///< z of the surface
 };
 
-/// Answers what something stands on at (east, north), from which height `fromM` it comes: where surfaces lie over each other (a bridge
-/// and the road below it), the one that something at that height rests on. A provider with one surface may be made of a function
-/// without the height. The same question must always get the same answer.
+/// Answers what something stands on at (east, north), from which height `fromM` it comes: where surfaces lie
+/// over each other (a bridge and the road below it), the one that something at that height rests on. A
+/// provider with one surface may be made of a function without the height. The same question must always get
+/// the same answer.
 /// Frame: the scene's. Units: metres.
 class GroundProvider
 {
@@ -30,7 +31,8 @@ public:
     /// A scene without ground.
     GroundProvider() = default;
 
-    /// `ground`: (east, north) or (east, north, from) to a GroundSample, or to an optional one that is empty outside the data.
+    /// `ground`: (east, north) or (east, north, from) to a GroundSample, or to an optional one that is empty
+    /// outside the data.
     template<class Ground>
     requires(!std::same_as<std::remove_cvref_t<Ground>, GroundProvider>) GroundProvider(Ground ground)
     {

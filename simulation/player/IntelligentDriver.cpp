@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source: Treiber, Hennecke, Helbing, *Congested traffic states in empirical observations and microscopic simulations*, Physical Review
-// E 62, 2000, equations 3 and 4.
+// Source: Treiber, Hennecke, Helbing, *Congested traffic states in empirical observations and microscopic
+// simulations*, Physical Review E 62, 2000, equations 3 and 4.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,7 +17,8 @@ namespace
 
 /// Follows the vehicle ahead by the intelligent driver model:
 /// a·(1 − (v / v0)⁴ − (s* / s)²), s* = s0 + v·T + v·Δv / (2·√(a·b)).
-/// Properties (esmini's NaturalDriver has the first three): desiredSpeed v0, desiredDistance s0, desiredTHW T, maxAcc a, comfortDec b.
+/// Properties (esmini's NaturalDriver has the first three): desiredSpeed v0, desiredDistance s0, desiredTHW
+/// T, maxAcc a, comfortDec b.
 class IntelligentDriver final : public SpeedController
 {
 public:

@@ -4,7 +4,8 @@
 namespace simulation
 {
 
-/// Returns the lane so many lanes to the left of another, seen towards greater s: lane ids rise to the left and have no 0.
+/// Returns the lane so many lanes to the left of another, seen towards greater s: lane ids rise to the left
+/// and have no 0.
 /// Source: ASAM OpenSCENARIO XML 1.3, RelativeTargetLane (which counts to the left of the entity).
 constexpr int lanesBeside(int lane, int lanes)
 {

@@ -61,8 +61,8 @@ std::optional<double> gapToCutIn(const MeasuredBody& own, const MeasuredBody& ot
     return isNear ? std::optional(x) : std::nullopt;
 }
 
-/// Spares the search along the roads: who is farther away in a straight line is so along them. A reference line inside a bend may be
-/// half as long as the lane.
+/// Spares the search along the roads: who is farther away in a straight line is so along them. A reference
+/// line inside a bend may be half as long as the lane.
 bool isTooFar(const MeasuredBody& own, const MeasuredBody& other, double lookAheadM)
 {
     const double reach = 2.0 * lookAheadM + own.box.lengthM + other.box.lengthM;

@@ -12,8 +12,9 @@
 namespace simulation
 {
 
-/// The entities that vehicles with physics move in place of the actions: lent for the whole play, or by a controller while it is active.
-/// A vehicle has one body, so it moves its entity while either domain is its own; in the other domain it does what the scenario asks.
+/// The entities that vehicles with physics move in place of the actions: lent for the whole play, or by a
+/// controller while it is active. A vehicle has one body, so it moves its entity while either domain is its
+/// own; in the other domain it does what the scenario asks.
 class LentMotions
 {
 public:
@@ -50,8 +51,8 @@ public:
     /// After Init. Errors: one cannot begin.
     foundation::Outcome beginAll();
 
-    /// Moves all on to a time. `traffic`: as an entity sees the others, all as they were before. `askedPlace`: where a lateral action of the scenario
-    /// wants an entity; nothing: none runs.
+    /// Moves all on to a time. `traffic`: as an entity sees the others, all as they were before.
+    /// `askedPlace`: where a lateral action of the scenario wants an entity; nothing: none runs.
     void advanceTo(double timeS, const std::function<Traffic(std::size_t)>& traffic,
                    const std::function<std::optional<glm::dvec3>(std::size_t)>& askedPlace);
 

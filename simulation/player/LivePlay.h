@@ -11,8 +11,8 @@
 namespace simulation
 {
 
-/// Plays a scenario at the pace of a wall clock, for pictures at any rate: it makes the steps that are due, and shows the entities between
-/// the last two.
+/// Plays a scenario at the pace of a wall clock, for pictures at any rate: it makes the steps that are due,
+/// and shows the entities between the last two.
 /// Determinism: the states after N steps are the player's own, whenever advance() was called. Threads: one.
 class LivePlay
 {

@@ -27,7 +27,8 @@ class MotionSource
 public:
     virtual ~MotionSource() = default;
 
-    /// Whether a controller can be used for an entity, before the play begins. Errors: its properties and files; the place is left to the caller.
+    /// Whether a controller can be used for an entity, before the play begins. Errors: its properties and
+    /// files; the place is left to the caller.
     virtual foundation::Outcome check(const Controller& controller, const ScenarioObject& object) = 0;
 
     /// Makes a motion that has begun. Errors: as check(), and a start where the vehicle cannot be.

@@ -10,7 +10,8 @@ namespace simulation
 
 /// A rational B-spline curve. Points are homogeneous: (x, y, z)·weight and weight.
 /// Invariant: as many knots as points plus `degree` plus one, never falling.
-/// Source: Piegl and Tiller, *The NURBS Book*, 2nd edition, 1997, chapters 2 to 4 (de Boor's algorithm, derivatives).
+/// Source: Piegl and Tiller, *The NURBS Book*, 2nd edition, 1997, chapters 2 to 4 (de Boor's algorithm,
+/// derivatives).
 class NurbsCurve
 {
 public:

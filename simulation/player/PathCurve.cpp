@@ -91,8 +91,8 @@ void PathCurve::buildAngles(const std::vector<PathVertex>& vertices)
         _heading = segmentHeadings(vertices);
 }
 
-/// Distances at the knots, and inside the segments of a spline, where each small piece is measured with Simpson's
-/// rule on the speed.
+/// Distances at the knots, and inside the segments of a spline, where each small piece is measured with
+/// Simpson's rule on the speed.
 void PathCurve::buildDistances()
 {
     const auto speedAt = [this](double u)

@@ -28,20 +28,23 @@ struct PathPoint
 };
 
 /// A polyline as a curve, which passes through each vertex exactly at its parameter:
-/// - `position`: straight between vertices. Headings given by the vertices are reached in the middle of the segment
-///   that the vertex begins, and turn evenly from middle to middle; without them the heading is that of the segment,
+/// - `position`: straight between vertices. Headings given by the vertices are reached in the middle of the
+/// segment
+/// that the vertex begins, and turn evenly from middle to middle; without them the heading is that of the
+/// segment,
 ///   and turns within 2 m before and after each corner (esmini does the same);
-/// - `follow`: the natural cubic spline through the vertices, so that speed, bank and pitch do not jump. Headings are
+/// - `follow`: the natural cubic spline through the vertices, so that speed, bank and pitch do not jump.
+/// Headings are
 ///   the spline through those of the vertices, or those of the curve when a vertex has none.
 /// - `straight`: straight between vertices; headings given by the vertices turn evenly from vertex to vertex.
-/// Pitch and roll are interpolated when every vertex gives one, else absent. A closed curve returns from its last
-/// vertex to its first and repeats; its parameter wraps.
+/// Pitch and roll are interpolated when every vertex gives one, else absent. A closed curve returns from its
+/// last vertex to its first and repeats; its parameter wraps.
 /// Source: ASAM, *OpenSCENARIO XML* 1.3, FollowTrajectoryAction and FollowingMode.
 class PathCurve
 {
 public:
-    /// `vertices`: at least two, parameters strictly increasing. A closed curve needs `closingLength`, the parameter
-    /// from the last vertex back to the first.
+    /// `vertices`: at least two, parameters strictly increasing. A closed curve needs `closingLength`, the
+    /// parameter from the last vertex back to the first.
     /// `inPlan`: distances are seen from above.
     PathCurve(std::vector<PathVertex> vertices, FollowingMode mode, std::optional<double> closingLength,
               bool inPlan = false);
@@ -52,8 +55,8 @@ public:
     double end() const { return _end; }
     bool isClosed() const { return _closed; }
 
-    /// Converts a parameter to the distance along the curve from its start, and back. Units: metres. Closed curves:
-    /// one round.
+    /// Converts a parameter to the distance along the curve from its start, and back. Units: metres. Closed
+    /// curves: one round.
     double distanceAt(double parameter) const;
     double parameterAt(double distanceM) const;
     double lengthM() const { return _distances.back(); }

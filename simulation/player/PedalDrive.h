@@ -24,10 +24,10 @@ struct Controls
     bool isAny() const { return hasThrottle || brake.isActive || parkingBrake.isActive || hasGear; }
 };
 
-/// Changes the speed of an entity by its pedals, in place of actions and controllers: the throttle gives its share of the greatest
-/// acceleration of the vehicle (none with the clutch pressed or out of gear, backwards in reverse), a brake its share of the greatest
-/// deceleration, or its force over the mass (1500 kg where the file gives none), as far as the road's friction allows, to a stand and no
-/// further.
+/// Changes the speed of an entity by its pedals, in place of actions and controllers: the throttle gives its
+/// share of the greatest acceleration of the vehicle (none with the clutch pressed or out of gear, backwards
+/// in reverse), a brake its share of the greatest deceleration, or its force over the mass (1500 kg where the
+/// file gives none), as far as the road's friction allows, to a stand and no further.
 class PedalDrive final : public SpeedController
 {
 public:

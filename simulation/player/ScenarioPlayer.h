@@ -34,26 +34,28 @@ struct PlayerOptions
     /// What moves entities in place of their actions, by name; Init tells where they begin.
     std::map<std::string, std::shared_ptr<ExternalMotion>> motions{};
 
-    /// Makes the vehicles with physics that controllers of entities drive; null: the scenario moves those entities.
+    /// Makes the vehicles with physics that controllers of entities drive; null: the scenario moves those
+    /// entities.
     std::shared_ptr<MotionSource> motionSource{};
 
     std::uint64_t seed = 0; ///< of what is left to chance: traffic and random routes
 };
 
-/// Plays a scenario in fixed steps. Its states depend on the scenario, the options and the number of steps only: two
-/// runs agree to the last bit.
-/// After create() the states are those of time 0, after the Init actions. In one step the clock advances, then the
-/// actions go on, entities move, then triggers are evaluated and actions start (their motion begins with the next step). On a
-/// road network the states are those before the triggers, and entities move as in esmini (decision 30).
+/// Plays a scenario in fixed steps. Its states depend on the scenario, the options and the number of steps
+/// only: two runs agree to the last bit. After create() the states are those of time 0, after the Init
+/// actions. In one step the clock advances, then the actions go on, entities move, then triggers are
+/// evaluated and actions start (their motion begins with the next step). On a road network the states are
+/// those before the triggers, and entities move as in esmini (decision 30).
 /// Frame: the scene's east-north-up. Threads: one player, one thread; players are independent.
 /// Source: ASAM, *OpenSCENARIO XML* 1.3; see also PathCurve, EntityMotion, StoryboardRunner.
 class ScenarioPlayer
 {
 public:
-    /// Errors, with the line of the element: a place on a road without a road network, a GeoPosition without an origin, an unknown entity, a trajectory that
-    /// cannot be run, a motion of no entity or that cannot begin. Unsupported content of a tolerant reading is skipped: such an action
-    /// ends at once, such a condition is never true, such an entity stands at the origin. The same goes for references to a road, a lane or a
-    /// storyboard element that is not there: see warnings().
+    /// Errors, with the line of the element: a place on a road without a road network, a GeoPosition without
+    /// an origin, an unknown entity, a trajectory that cannot be run, a motion of no entity or that cannot
+    /// begin. Unsupported content of a tolerant reading is skipped: such an action ends at once, such a
+    /// condition is never true, such an entity stands at the origin. The same goes for references to a road,
+    /// a lane or a storyboard element that is not there: see warnings().
     static foundation::Result<std::unique_ptr<ScenarioPlayer>> create(Scenario scenario,
                                                                       PlayerOptions options);
 
@@ -78,7 +80,8 @@ public:
     const std::map<std::string, bool>& monitors() const; ///< by name
     bool isFinished() const;
 
-    /// What a person should know of vehicles with physics: a crash, a controller that could not begin. A line each.
+    /// What a person should know of vehicles with physics: a crash, a controller that could not begin. A line
+    /// each.
     std::vector<std::string> notes() const;
 
     /// What refers to something that is not there, with the line of the element and what is done instead.

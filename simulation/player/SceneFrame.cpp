@@ -64,7 +64,8 @@ glm::dvec3 SceneFrame::place(const GeoPosition& position) const
     if (!_frame) return onMap(position).value_or(glm::dvec3(0.0));
     if (position.heightM)
         return _frame->localFromGeodetic({position.latitudeDeg, position.longitudeDeg, *position.heightM});
-    // Far from the origin the place's vertical leans against the scene's: the height found there moves the place.
+    // Far from the origin the place's vertical leans against the scene's: the height found there moves the
+    // place.
     const double altitude = position.altitudeM.value_or(0.0);
     double height = altitude;
     glm::dvec3 local(0.0);

@@ -49,8 +49,8 @@ public:
     /// Lets lent entities begin where they stand; after performInit(). Errors: one cannot.
     foundation::Outcome beginLent();
 
-    /// Performs the actions of Init: those of all entities that place something first, because positions may refer to
-    /// entities that stand further down.
+    /// Performs the actions of Init: those of all entities that place something first, because positions may
+    /// refer to entities that stand further down.
     void performInit();
 
     /// Carries running actions on to the time of the clock.

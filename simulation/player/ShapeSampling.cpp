@@ -39,7 +39,8 @@ struct ClothoidPiece
     std::optional<double> fromS, toS;
 };
 
-/// Samples a clothoid and moves the pose to its end. The way from sample to sample is integrated by three points of Gauss.
+/// Samples a clothoid and moves the pose to its end. The way from sample to sample is integrated by three
+/// points of Gauss.
 void addClothoid(Polyline& polyline, const ClothoidPiece& piece, Placement& pose)
 {
     static constexpr std::array<double, 3> kNodes = {0.1127016653792583, 0.5, 0.8872983346207417};
@@ -110,7 +111,8 @@ std::optional<Polyline> sampled(const ClothoidSpline& spline, const PositionSolv
     return polyline;
 }
 
-/// The parameters of the samples at which the basis functions of the points are greatest: the last one not far behind the peak.
+/// The parameters of the samples at which the basis functions of the points are greatest: the last one not
+/// far behind the peak.
 std::vector<double> parametersOfPeaks(const NurbsCurve& curve, std::size_t points, int samples)
 {
     std::vector<double> peaks(points, curve.begin());

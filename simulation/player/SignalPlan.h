@@ -10,9 +10,9 @@
 namespace simulation
 {
 
-/// The states of traffic signals: those that actions have set, and those of the cycles of controllers. A phase that begins sets
-/// its signals; an action in it holds until the next one begins.
-/// A controller with a delay behind another one begins its first phase so many seconds after that one's; its cycle is the same
+/// The states of traffic signals: those that actions have set, and those of the cycles of controllers. A
+/// phase that begins sets its signals; an action in it holds until the next one begins. A controller with a
+/// delay behind another one begins its first phase so many seconds after that one's; its cycle is the same
 /// before and after that. Units: seconds.
 class SignalPlan
 {
@@ -25,7 +25,8 @@ public:
 
     void setState(const std::string& signal, const std::string& state) { _states[signal] = state; }
 
-    /// Begins a phase now; the cycle goes on from there. Does nothing where there is no such controller or phase.
+    /// Begins a phase now; the cycle goes on from there. Does nothing where there is no such controller or
+    /// phase.
     void beginPhase(const TrafficSignalControllerAction& action, double timeS);
 
     const std::map<std::string, std::string>& states() const { return _states; }

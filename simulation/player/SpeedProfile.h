@@ -6,11 +6,12 @@
 namespace simulation
 {
 
-/// The speed over time during a change from one value to another, in closed form: nothing is summed over steps.
-/// Dimension `distance`: the change takes that distance; `rate`: its steepest change of speed has that value.
+/// The speed over time during a change from one value to another, in closed form: nothing is summed over
+/// steps. Dimension `distance`: the change takes that distance; `rate`: its steepest change of speed has that
+/// value.
 /// Units: seconds since its start, m/s, metres.
-/// Source: ASAM, *OpenSCENARIO XML* 1.3, TransitionDynamics. All shapes are symmetric, so the distance is the mean of
-/// both speeds times the duration.
+/// Source: ASAM, *OpenSCENARIO XML* 1.3, TransitionDynamics. All shapes are symmetric, so the distance is the
+/// mean of both speeds times the duration.
 class SpeedProfile
 {
 public:
@@ -20,8 +21,8 @@ public:
     /// A constant speed.
     static SpeedProfile constant(double speedMps);
 
-    /// Returns the dynamics of the same change that need no more than an acceleration: they take longer where they must. A step
-    /// stays one.
+    /// Returns the dynamics of the same change that need no more than an acceleration: they take longer where
+    /// they must. A step stays one.
     static TransitionDynamics within(double mostMps2, double fromMps, double toMps,
                                      const TransitionDynamics& dynamics);
 

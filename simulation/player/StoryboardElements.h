@@ -24,8 +24,8 @@ struct StoryboardLogEntry
     bool operator==(const StoryboardLogEntry&) const = default;
 };
 
-/// The states of the elements of a storyboard. Conditions see a transition in the step in which it was made, if they are
-/// evaluated later in it, and in the step after; they see a state at once.
+/// The states of the elements of a storyboard. Conditions see a transition in the step in which it was made,
+/// if they are evaluated later in it, and in the step after; they see a state at once.
 class StoryboardElements
 {
 public:
@@ -45,7 +45,8 @@ public:
         return _elements[static_cast<std::size_t>(element)].state;
     }
 
-    /// Finds the element that a condition names, by its name or by the end of its path; -1 when there is none.
+    /// Finds the element that a condition names, by its name or by the end of its path; -1 when there is
+    /// none.
     int find(const StoryboardElementStateCondition& condition) const;
 
     bool is(const StoryboardElementStateCondition& condition) const;

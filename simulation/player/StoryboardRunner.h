@@ -32,10 +32,10 @@ public:
     virtual void cancel(const ActionTicket& ticket) = 0;
 };
 
-/// Runs stories, acts, maneuver groups and events from step to step. An act starts by its trigger and ends with its
-/// groups or by its stop trigger. An event starts by its trigger while its act runs, and ends with its actions.
-/// An event ends no earlier than in the step after its start.
-/// Priorities and execution counts follow the standard.
+/// Runs stories, acts, maneuver groups and events from step to step. An act starts by its trigger and ends
+/// with its groups or by its stop trigger. An event starts by its trigger while its act runs, and ends with
+/// its actions. An event ends no earlier than in the step after its start. Priorities and execution counts
+/// follow the standard.
 /// Source: ASAM, *OpenSCENARIO XML* 1.3, "Storyboard states".
 class StoryboardRunner
 {
@@ -48,8 +48,8 @@ public:
     /// What conditions ask, besides time and the storyboard: set before each step.
     ConditionFacts& facts() { return _facts; }
 
-    /// Returns true after the stop trigger has fired, or when there is no stop trigger that can fire and all stories
-    /// are over.
+    /// Returns true after the stop trigger has fired, or when there is no stop trigger that can fire and all
+    /// stories are over.
     bool isFinished() const { return _isFinished; }
     const StoryboardElements& elements() const { return _elements; }
 

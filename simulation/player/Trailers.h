@@ -9,8 +9,9 @@
 namespace simulation
 {
 
-/// Draws trailers behind their vehicles. The coupler of a trailer stays at the hitch, and its axle rolls towards it without
-/// slipping sideways: in each step the trailer looks from where its axle was to where the hitch is now (a tractrix).
+/// Draws trailers behind their vehicles. The coupler of a trailer stays at the hitch, and its axle rolls
+/// towards it without slipping sideways: in each step the trailer looks from where its axle was to where the
+/// hitch is now (a tractrix).
 class Trailers
 {
 public:

@@ -26,8 +26,8 @@ struct ConditionFacts
     std::optional<DateTime> dateTime{};
 };
 
-/// Evaluates one trigger from step to step. An edge compares a condition with the step before (the first evaluation
-/// is no edge); a delay tests the condition, edge included, that long ago.
+/// Evaluates one trigger from step to step. An edge compares a condition with the step before (the first
+/// evaluation is no edge); a delay tests the condition, edge included, that long ago.
 /// Memory: one entry for each change of a delayed condition within its delay.
 /// Source: ASAM, *OpenSCENARIO XML* 1.3, "Conditions and triggers".
 class TriggerWatch
@@ -40,8 +40,9 @@ public:
     /// Evaluates the trigger. Call it once per step, in the order of time.
     bool update(const ConditionFacts& facts);
 
-    /// The triggering entities of the last update(): those for which a condition of a group that fired held, when it held. One that waits for
-    /// a falling edge has those for which it held last. In the order of the conditions, none twice.
+    /// The triggering entities of the last update(): those for which a condition of a group that fired held,
+    /// when it held. One that waits for a falling edge has those for which it held last. In the order of the
+    /// conditions, none twice.
     const std::vector<std::string>& triggering() const { return _triggering; }
 
     /// Clears the history.

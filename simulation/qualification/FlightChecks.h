@@ -12,8 +12,9 @@
 namespace simulation
 {
 
-/// Steady flight at 70 and 100 kt, and what a flight does from there after each stored input, against the flights of JSBSim's c172p
-/// in `folder` (jsbsim/c172p-response of the real data). A response is judged by its RMS difference over the largest excursion.
+/// Steady flight at 70 and 100 kt, and what a flight does from there after each stored input, against the
+/// flights of JSBSim's c172p in `folder` (jsbsim/c172p-response of the real data). A response is judged by
+/// its RMS difference over the largest excursion.
 /// Errors: those of reading the flights.
 foundation::Result<QualificationChecks> responseChecks(const std::shared_ptr<const AircraftData>& aircraft,
                                                        const std::filesystem::path& folder);
@@ -22,8 +23,8 @@ foundation::Result<QualificationChecks> steadyFlightChecks(const AircraftData& a
 foundation::Result<QualificationChecks> oscillationChecks(const std::shared_ptr<const AircraftData>& aircraft,
                                                           const std::filesystem::path& folder);
 
-/// Performance at the handbook's weight in standard air at sea level, and the rate of a steady turn. A figure that the aircraft does not
-/// reach at all is not a number and fails.
+/// Performance at the handbook's weight in standard air at sea level, and the rate of a steady turn. A figure
+/// that the aircraft does not reach at all is not a number and fails.
 QualificationChecks handbookChecks(const AircraftData& aircraft);
 
 } // namespace simulation

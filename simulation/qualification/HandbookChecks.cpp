@@ -27,7 +27,8 @@ constexpr double kRearLimitM = 47.3 * 0.0254; ///< behind the firewall, which is
 constexpr const char* kHandbook =
     "Cessna 172N Pilot's Operating Handbook, 1978, performance at 2300 lb, sea level, standard day";
 
-/// The aircraft with a load that brings it to the handbook's weight and its centre to the rear limit, where the handbook's stalls are.
+/// The aircraft with a load that brings it to the handbook's weight and its centre to the rear limit, where
+/// the handbook's stalls are.
 AircraftData loaded(const AircraftData& aircraft)
 {
     AircraftData copy = aircraft;
@@ -73,7 +74,8 @@ public:
         return flight(knots, 0.0, flapDeg) ? knots : std::nan("");
     }
 
-    /// The rate of climb at a speed with the throttle open as far as the limit of the engine's speed lets it. Units: m/s.
+    /// The rate of climb at a speed with the throttle open as far as the limit of the engine's speed lets it.
+    /// Units: m/s.
     double climbMps(double knots) const
     {
         const auto isWithin = [](const std::optional<TrimmedFlight>& found)

@@ -58,7 +58,8 @@ double creptMm(const std::shared_ptr<const RoadVehicleData>& vehicle, double sta
     return isSound ? 1000.0 * glm::length(standing.state().position - start) : std::nan("");
 }
 
-/// How high it has come three seconds after the kerb; not a number where a wheel or the body was under ground meanwhile.
+/// How high it has come three seconds after the kerb; not a number where a wheel or the body was under ground
+/// meanwhile.
 double climbedM(const std::shared_ptr<const RoadVehicleData>& vehicle)
 {
     const auto kerb = std::make_shared<const Kerb>();

@@ -69,7 +69,8 @@ double grippedDistanceM(const std::shared_ptr<const RoadVehicleData>& vehicle, G
     return braking.distanceToM(20.0) > 0.0 ? braking.distanceToM(2.0) : std::nan("");
 }
 
-/// The largest lateral acceleration, g, while the wheel is turned slowly at a steady speed: the mean of one second.
+/// The largest lateral acceleration, g, while the wheel is turned slowly at a steady speed: the mean of one
+/// second.
 double lateralG(const std::shared_ptr<const RoadVehicleData>& vehicle)
 {
     constexpr double kSpeedMps = 60.0 * kKmh;
@@ -92,7 +93,8 @@ double lateralG(const std::shared_ptr<const RoadVehicleData>& vehicle)
     return most;
 }
 
-/// What all tyres together can brake at their peaks: their friction at the loads that the braking itself makes. Units: m/s².
+/// What all tyres together can brake at their peaks: their friction at the loads that the braking itself
+/// makes. Units: m/s².
 double mostDeceleration(const RoadVehicleData& vehicle, double gripFactor)
 {
     const RoadMassProperties mass = massProperties(vehicle);

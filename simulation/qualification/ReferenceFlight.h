@@ -59,9 +59,10 @@ struct FlightRow
 
 using Flight = std::vector<FlightRow>;
 
-/// Reads a flight that JSBSim has logged as CSV, gzip or not, with the captions of the real-data folder's track_directive.xml.
-/// The first row, before its trim, is left out.
-/// Errors: those of the file; a caption that is wanting; a row with another number of fields, or one that is no number.
+/// Reads a flight that JSBSim has logged as CSV, gzip or not, with the captions of the real-data folder's
+/// track_directive.xml. The first row, before its trim, is left out.
+/// Errors: those of the file; a caption that is wanting; a row with another number of fields, or one that is
+/// no number.
 foundation::Result<Flight> readReferenceFlight(const std::filesystem::path& file);
 
 /// Takes the jumps of full turns out of headings.

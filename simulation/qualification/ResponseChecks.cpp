@@ -65,7 +65,8 @@ const std::array<ResponseCase, 6>& responseCases()
     return cases;
 }
 
-/// RMS difference over the largest excursion of the reference from its first row, in per cent. A flight that ended early is not a number.
+/// RMS difference over the largest excursion of the reference from its first row, in per cent. A flight that
+/// ended early is not a number.
 double differencePercent(const Flight& flown, const Flight& reference, FlightChannel channel)
 {
     if (flown.size() != reference.size() || flown.empty()) return std::numeric_limits<double>::quiet_NaN();

@@ -29,7 +29,8 @@ struct MotionDifference
 };
 
 /// Compares a table with a reference at every row of the reference: with the row of the same time, within a
-/// microsecond. Entities are matched by name, in the order of the reference. One that `table` has alone is not told.
+/// microsecond. Entities are matched by name, in the order of the reference. One that `table` has alone is
+/// not told.
 std::vector<MotionDifference> compareMotions(const MotionTable& table, const MotionTable& reference);
 
 struct MotionLimits
@@ -38,7 +39,8 @@ struct MotionLimits
     double headingDeg = 0.1;
 };
 
-/// Whether every row of the reference was matched and stays within the limits; the limits themselves are within.
+/// Whether every row of the reference was matched and stays within the limits; the limits themselves are
+/// within.
 bool isWithin(const MotionDifference& difference, const MotionLimits& limits);
 
 /// The differences as JSON: an object with `limits`, `entities` and `within`. `events`: of the same entities.

@@ -61,7 +61,8 @@ std::vector<MotionEvent> collisions(const SeenTrack& seen)
     return events;
 }
 
-/// The rows at which the change of acceleration is above the bound, and as great as at the rows beside them at least.
+/// The rows at which the change of acceleration is above the bound, and as great as at the rows beside them
+/// at least.
 std::vector<MotionEvent> speedKinks(const SeenTrack& seen)
 {
     std::vector<double> jumps(seen.samples.size(), 0.0);

@@ -17,15 +17,17 @@ struct EventMatch
     double largestS = 0.0;     ///< between two that are matched
 };
 
-/// When an entity changed its lane, began to touch another, and changed its acceleration by more than 1 m/s² from one row to the next.
+/// When an entity changed its lane, began to touch another, and changed its acceleration by more than 1 m/s²
+/// from one row to the next.
 struct EventDifference
 {
     std::string entity;
     EventMatch laneChanges, collisions, speedKinks;
 };
 
-/// Compares the events of two tables, seen at the rows of the reference; entities as compareMotions(). A kink that lies between two rows
-/// counts at the one with the greater change. Tables without the columns lane_id and collision_ids have no such events.
+/// Compares the events of two tables, seen at the rows of the reference; entities as compareMotions(). A kink
+/// that lies between two rows counts at the one with the greater change. Tables without the columns lane_id
+/// and collision_ids have no such events.
 std::vector<EventDifference> compareEvents(const MotionTable& table, const MotionTable& reference);
 
 /// Whether all events are matched, and none lies farther apart than `mostS`.

@@ -15,9 +15,9 @@
 namespace simulation
 {
 
-/// Writes what the entities of a play do as a table of text: the columns of esmini's --csv_logger, one row for each step.
-/// Accelerations and the heading rate are differences between rows. The angle of the wheels is in radians, as esmini
-/// has it (its header says degrees).
+/// Writes what the entities of a play do as a table of text: the columns of esmini's --csv_logger, one row
+/// for each step. Accelerations and the heading rate are differences between rows. The angle of the wheels is
+/// in radians, as esmini has it (its header says degrees).
 class MotionLog
 {
 public:

@@ -39,9 +39,10 @@ struct MotionTable
     const MotionTrack* find(const std::string& entity) const;
 };
 
-/// Reads a table as `trainer play --csv_logger` writes it and esmini does: lines of text, then a line that begins with
-/// `Index` and names the columns of each entity, then rows. The file may be compressed by gzip.
-/// Errors, as file:line: not readable, no such header, a column missing, a cell that is no number, times that fall.
+/// Reads a table as `trainer play --csv_logger` writes it and esmini does: lines of text, then a line that
+/// begins with `Index` and names the columns of each entity, then rows. The file may be compressed by gzip.
+/// Errors, as file:line: not readable, no such header, a column missing, a cell that is no number, times that
+/// fall.
 foundation::Result<MotionTable> readMotionTable(const std::filesystem::path& file);
 
 /// Reads the text of a table. `name`: for errors.

@@ -16,8 +16,8 @@ struct LaneSite
     double headingRad = 0.0;
 };
 
-/// Returns places on all lanes for cars, evenly along the roads, but for those within junctions: every 5 m, or farther apart so that
-/// there are some 40 000 at most. In the order of the file.
+/// Returns places on all lanes for cars, evenly along the roads, but for those within junctions: every 5 m,
+/// or farther apart so that there are some 40 000 at most. In the order of the file.
 std::vector<LaneSite> laneSites(const RoadScene& roads);
 
 } // namespace simulation

@@ -68,7 +68,8 @@ private:
 
     double lengthOf(int road) const { return _network.roads[static_cast<std::size_t>(road)].length; }
 
-    /// Metres; for the fastest way seconds times the usual speed, for the one of least intersections with 10 km for each.
+    /// Metres; for the fastest way seconds times the usual speed, for the one of least intersections with 10
+    /// km for each.
     double costOf(int road, double metres) const
     {
         constexpr double kUsualRoadMps = 50.0 / 3.6, kIntersectionM = 1e4;
@@ -104,8 +105,8 @@ private:
     std::map<RoadEnd, RoadEnd> _before;
 };
 
-/// Draws a way without a road twice: at each end of a road the roads that follow are tried in a random order, the last one that leads
-/// nowhere is given up.
+/// Draws a way without a road twice: at each end of a road the roads that follow are tried in a random order,
+/// the last one that leads nowhere is given up.
 std::optional<RoadWay> drawnWay(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to,
                                 RandomDraw& draw)
 {

@@ -37,8 +37,9 @@ double laneSlope(const Road& road, const RoadPlace& place)
     return (last->centreT() - first->centreT()) / (to - from);
 }
 
-/// Returns the angle in the plan view between what goes along a lane and the reference line. A bank that changes moves the lane
-/// sideways, too: the distance from the reference line is t times the cosine of the bank.
+/// Returns the angle in the plan view between what goes along a lane and the reference line. A bank that
+/// changes moves the lane sideways, too: the distance from the reference line is t times the cosine of the
+/// bank.
 double laneAngle(const Road& road, const RoadPlace& place)
 {
     const double slope = laneSlope(road, place);
@@ -68,7 +69,8 @@ void leaveKerb(const Road& road, RoadPlace& place)
     place.laneOffsetM = place.t - walk->centreT();
 }
 
-/// The height of the surface at a place. Who belongs to a sidewalk is as high as it is, on the kerb beside it, too.
+/// The height of the surface at a place. Who belongs to a sidewalk is as high as it is, on the kerb beside
+/// it, too.
 double heightAt(const Road& road, const RoadPlace& place)
 {
     constexpr double kInsideM = 1e-6;

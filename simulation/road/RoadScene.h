@@ -17,8 +17,8 @@
 namespace simulation
 {
 
-/// How something stands on a road. Angles as EntityState has them: heading from x towards y, pitch positive nose down,
-/// roll positive right side down. Units: metres, radians.
+/// How something stands on a road. Angles as EntityState has them: heading from x towards y, pitch positive
+/// nose down, roll positive right side down. Units: metres, radians.
 struct RoadPose
 {
     glm::dvec3 position{0.0};
@@ -45,7 +45,8 @@ public:
     /// Returns a place on a lane, looking along its traffic; nothing: no such road or lane at s.
     std::optional<RoadPlace> onLane(const std::string& roadId, int lane, double s, double offsetM) const;
 
-    /// Returns a place at (s, t), on the lane that is nearest there, looking along its traffic; nothing: no such road.
+    /// Returns a place at (s, t), on the lane that is nearest there, looking along its traffic; nothing: no
+    /// such road.
     std::optional<RoadPlace> onTrack(const std::string& roadId, double s, double t) const;
 
     /// Returns the place of a point on the nearest road, its height kept; nothing: there is no road.
@@ -54,7 +55,8 @@ public:
     /// Returns how something stands at a place, its reference point on the surface.
     RoadPose poseAt(const RoadPlace& place) const;
 
-    /// Puts a place onto a lane at its s; its t and curvature follow from lane and offset. False: there is no such lane.
+    /// Puts a place onto a lane at its s; its t and curvature follow from lane and offset. False: there is no
+    /// such lane.
     bool putOnLane(RoadPlace& place, int lane, double offsetM) const;
 
     /// Takes the lane that is nearest to t, and the offset from its middle.

@@ -13,8 +13,8 @@
 namespace simulation
 {
 
-/// Returns the file that the LogicFile of a scenario names, as it is written or, for the bare name of a town, with `.xodr`. Empty:
-/// it names none, or none is there. `folder`: of the scenario.
+/// Returns the file that the LogicFile of a scenario names, as it is written or, for the bare name of a town,
+/// with `.xodr`. Empty: it names none, or none is there. `folder`: of the scenario.
 std::filesystem::path roadsFile(const Scenario& scenario, const std::filesystem::path& folder);
 
 /// Says that a LogicFile is named and none is there. Nothing: all is well.

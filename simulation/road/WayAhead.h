@@ -12,7 +12,8 @@
 namespace simulation
 {
 
-/// A place on the way of an entity, and the speed that is allowed there; nothing: none is told. Frame: the scene's.
+/// A place on the way of an entity, and the speed that is allowed there; nothing: none is told. Frame: the
+/// scene's.
 struct AheadPoint
 {
     glm::dvec3 place{0.0};
@@ -33,7 +34,8 @@ struct WayAhead
     std::vector<AheadStop> stops;   ///< ascending
 };
 
-/// Returns the way that walk() takes from a place, up to a length or the end of the road. Cost: about 2 µs a metre.
+/// Returns the way that walk() takes from a place, up to a length or the end of the road. Cost: about 2 µs a
+/// metre.
 WayAhead wayAlongLane(const RoadScene& roads, RoadPlace place, const RoadWay& way,
                       std::optional<RandomDraw> turns, double lengthM);
 

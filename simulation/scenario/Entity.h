@@ -112,7 +112,8 @@ struct Controller
 
     bool operator==(const Controller&) const = default;
 
-    /// What drives: the property `kind`, else esminiController (ACCController, InteractiveController …), else the name.
+    /// What drives: the property `kind`, else esminiController (ACCController, InteractiveController …), else
+    /// the name.
     std::string kind() const
     {
         if (const auto kind = properties.find("kind")) return *kind;
@@ -151,8 +152,8 @@ struct ScenarioObject
     const std::string& model3d() const;
 
     /// Returns true for an entity that does not stand on the ground: a vehicle of category `aircraft` or
-    /// `helicopter`, or an object with the property `domain` = `air` (the form that the schema of the standard
-    /// accepts).
+    /// `helicopter`, or an object with the property `domain` = `air` (the form that the schema of the
+    /// standard accepts).
     bool isAirborne() const;
 };
 

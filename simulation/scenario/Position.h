@@ -29,9 +29,9 @@ struct WorldPosition
 
 /// WGS84. The file's `latitude` and `longitude` (1.1) are radians, `latitudeDeg` and `longitudeDeg` (1.2)
 /// degrees; the model keeps degrees.
-/// `height` (1.0, 1.1; deprecated from 1.2 on) is "above a reference surface (e.g. sea level, earth surface)", here the
-/// ellipsoid; `altitude` (from 1.2 on) is above the road surface, here the ground. Neither: on the ground. Source: ASAM OpenSCENARIO XML 1.1 and 1.3, class
-/// GeoPosition.
+/// `height` (1.0, 1.1; deprecated from 1.2 on) is "above a reference surface (e.g. sea level, earth
+/// surface)", here the ellipsoid; `altitude` (from 1.2 on) is above the road surface, here the ground.
+/// Neither: on the ground. Source: ASAM OpenSCENARIO XML 1.1 and 1.3, class GeoPosition.
 struct GeoPosition
 {
     SourceLine source;
@@ -68,7 +68,8 @@ struct Route
     bool operator==(const Route&) const = default;
 };
 
-/// A place on a route, so far from its first waypoint. `lane` absent: the lane of the route, and the offset from its middle.
+/// A place on a route, so far from its first waypoint. `lane` absent: the lane of the route, and the offset
+/// from its middle.
 struct RoutePosition
 {
     static constexpr std::string_view kElement = "RoutePosition";
@@ -104,7 +105,8 @@ using PositionKinds = std::variant<WorldPosition, GeoPosition, LanePosition, Roa
                                    RelativeLanePosition, RelativeRoadPosition, RelativeObjectPosition,
                                    RelativeWorldPosition, RoutePosition, TrajectoryPosition, Unsupported>;
 
-/// A place. Its copying, comparing and destroying are compiled once, in Position.cpp: each unit that reads this header would pay for them.
+/// A place. Its copying, comparing and destroying are compiled once, in Position.cpp: each unit that reads
+/// this header would pay for them.
 struct Position : PositionKinds
 {
     using PositionKinds::variant;

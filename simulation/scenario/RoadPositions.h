@@ -11,9 +11,9 @@ namespace simulation
 {
 
 /// Angles as in OpenSCENARIO; a missing angle follows from the path, the road or the ground.
-/// Frame: ISO 8855 about the axes of the scene. Heading counter-clockwise from east, pitch positive nose down, roll
-/// positive right side down. With `isRelative` they count from the direction of the lane, or from the entity that the position
-/// refers to. Units: radians, as in the file.
+/// Frame: ISO 8855 about the axes of the scene. Heading counter-clockwise from east, pitch positive nose
+/// down, roll positive right side down. With `isRelative` they count from the direction of the lane, or from
+/// the entity that the position refers to. Units: radians, as in the file.
 struct Orientation
 {
     std::optional<double> headingRad;
@@ -24,7 +24,8 @@ struct Orientation
     bool operator==(const Orientation&) const = default;
 };
 
-// Positions on the road network, and relative to entities. Units: metres. Source: ASAM OpenSCENARIO XML 1.3, Position.
+// Positions on the road network, and relative to entities. Units: metres. Source: ASAM OpenSCENARIO XML 1.3,
+// Position.
 
 /// A place on a lane; the offset counts to the left of the reference line.
 struct LanePosition

@@ -52,9 +52,10 @@ struct RoadNetwork
     bool operator==(const RoadNetwork&) const = default;
 };
 
-/// A scenario: the content of an OpenSCENARIO XML file with parameters and catalogue entries replaced. Plain values
-/// without XML. Unsupported content is kept as Unsupported. Invariant (strict reading): every reference to an entity
-/// names one of `entities`; isConsistent() checks it. Source: ASAM, *OpenSCENARIO XML* 1.0 to 1.3.
+/// A scenario: the content of an OpenSCENARIO XML file with parameters and catalogue entries replaced. Plain
+/// values without XML. Unsupported content is kept as Unsupported. Invariant (strict reading): every
+/// reference to an entity names one of `entities`; isConsistent() checks it. Source: ASAM, *OpenSCENARIO XML*
+/// 1.0 to 1.3.
 struct Scenario
 {
     FileHeader header;
@@ -71,8 +72,8 @@ struct Scenario
     int entityIndex(const std::string& name) const;
     bool isConsistent() const;
 
-    /// Returns the line of the first action that needs the roads of the LogicFile: one that places an entity on a road, or
-    /// changes its lane; nothing: none does.
+    /// Returns the line of the first action that needs the roads of the LogicFile: one that places an entity
+    /// on a road, or changes its lane; nothing: none does.
     std::optional<SourceLine> needsRoads() const;
 
     /// Returns the line of the first action that places an entity on a road; nothing: none does.

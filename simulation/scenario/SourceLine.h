@@ -6,8 +6,8 @@
 namespace simulation
 {
 
-/// The line of an element in its file; 0 for an element without a file. Lines never decide a comparison: elements
-/// with the same content are equal.
+/// The line of an element in its file; 0 for an element without a file. Lines never decide a comparison:
+/// elements with the same content are equal.
 struct SourceLine
 {
     int line = 0;
@@ -15,8 +15,8 @@ struct SourceLine
     bool operator==(const SourceLine&) const { return true; }
 };
 
-/// Content of the standard that is not played. It is kept by name, so that a tolerant reading can go on; a strict
-/// reading never makes one.
+/// Content of the standard that is not played. It is kept by name, so that a tolerant reading can go on; a
+/// strict reading never makes one.
 struct Unsupported
 {
     SourceLine source;

@@ -105,8 +105,8 @@ struct Recording
     bool operator==(const Recording&) const = default;
 };
 
-/// Returns whether a file is one of recorded tracks by its name (.igc, .gpx, .kml, .kmz, .acmi, .csv, in small or capital letters), with .gz after it
-/// or without.
+/// Returns whether a file is one of recorded tracks by its name (.igc, .gpx, .kml, .kmz, .acmi, .csv, in
+/// small or capital letters), with .gz after it or without.
 bool namesTrackFile(const std::filesystem::path& file);
 
 struct Trajectory
@@ -120,8 +120,8 @@ struct Trajectory
     bool operator==(const Trajectory&) const = default;
 };
 
-/// Converts the times of the vertices to those of the simulation: t = offset + scale·vertex, counted from the start
-/// of the action (relative) or of the simulation (absolute).
+/// Converts the times of the vertices to those of the simulation: t = offset + scale·vertex, counted from the
+/// start of the action (relative) or of the simulation (absolute).
 struct Timing
 {
     enum class Domain
@@ -143,7 +143,9 @@ enum class FollowingMode
 {
     position,
     follow,
-    straight, ///< no word of the language: `follow` on road networks, where esmini keeps to the straight lines and turns evenly
+    /// no word of the language: `follow` on road networks, where esmini keeps to the straight lines and turns
+    /// evenly
+    straight,
 };
 
 } // namespace simulation

@@ -6,8 +6,8 @@
 namespace simulation
 {
 
-/// Calls `visit(const ManeuverGroup&, const Action&)` for every action of the stories with the group that it stands in, in the file's order; those
-/// of Init are not among them.
+/// Calls `visit(const ManeuverGroup&, const Action&)` for every action of the stories with the group that it
+/// stands in, in the file's order; those of Init are not among them.
 template<class Visit>
 void visitGroups(const Scenario& scenario, Visit visit)
 {

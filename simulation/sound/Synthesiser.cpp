@@ -13,7 +13,8 @@ namespace
 {
 
 constexpr double kStepS = 1.0 / Synthesiser::kRate;
-// Levels of the loudest of each, found by ear of the spectrum: their sum stays within the range at full power.
+// Levels of the loudest of each, found by ear of the spectrum: their sum stays within the range at full
+// power.
 constexpr double kEngine = 0.16, kPropeller = 0.14, kWind = 0.16, kRoll = 0.12, kSqueal = 0.10, kHorn = 0.10,
                  kBump = 0.5, kClick = 0.12, kPassing = 0.8;
 constexpr double kBumpHz = 70.0, kBumpS = 0.09, kClickHz = 2600.0, kClickS = 0.006, kHornHz = 740.0,

@@ -10,10 +10,13 @@
 namespace simulation
 {
 
-/// Makes the sound of a vehicle from its state: harmonics of engine and propeller, filtered noise of wind and tyres, a stall horn, bumps,
-/// clicks of the indicators' relay, and other vehicles by distance (1/r from 1 m) and Doppler shift. Nothing is recorded.
-/// Frame: two channels, left first, at kRate a second, within -1…1. Determinism: the same states give the same samples. Threads: one.
-/// Sources: Farnell, *Designing Sound*, 2010, practicals 19 (engines) and 25 (wind, filtered noise); for the Doppler shift of a moving source Pierce,
+/// Makes the sound of a vehicle from its state: harmonics of engine and propeller, filtered noise of wind and
+/// tyres, a stall horn, bumps, clicks of the indicators' relay, and other vehicles by distance (1/r from 1 m)
+/// and Doppler shift. Nothing is recorded.
+/// Frame: two channels, left first, at kRate a second, within -1…1. Determinism: the same states give the
+/// same samples. Threads: one.
+/// Sources: Farnell, *Designing Sound*, 2010, practicals 19 (engines) and 25 (wind, filtered noise); for the
+/// Doppler shift of a moving source Pierce,
 /// *Acoustics*, 1989, section 9-1.
 class Synthesiser
 {
@@ -21,7 +24,8 @@ public:
     static constexpr int kRate = 44'100;
     static constexpr double kSoundMps = 340.0;
 
-    /// Fills `samples` (left, right, left, …) with the time that leads to `state`: frequencies and levels go there from the last state.
+    /// Fills `samples` (left, right, left, …) with the time that leads to `state`: frequencies and levels go
+    /// there from the last state.
     void render(const SoundState& state, std::span<float> samples);
 
 private:

@@ -11,8 +11,10 @@
 namespace simulation
 {
 
-/// Writes sound as a WAVE file of 16 bits and two channels; it has its name when finish() has written its head. Threads: one.
-/// Source: Microsoft and IBM, *Multimedia Programming Interface and Data Specifications 1.0*, 1991, chapter 3.
+/// Writes sound as a WAVE file of 16 bits and two channels; it has its name when finish() has written its
+/// head. Threads: one.
+/// Source: Microsoft and IBM, *Multimedia Programming Interface and Data Specifications 1.0*, 1991, chapter
+/// 3.
 class WaveFile
 {
 public:

@@ -21,11 +21,11 @@ struct FlightPlan
     double filledShare = 0.0; ///< share of the ground ahead that was not measured, 0…1
 };
 
-/// Finds candidate paths. Each is a bow or an S of bounded curvature, and its end faces one of the highlights of the
-/// terrain: the most interesting cells without a better neighbour. The rating of a path sums what is seen ahead from
-/// all its samples (24 fans of 25 rays): interest counts for it, the edge of the terrain and
-/// ground that was not measured against it. The best path is
-/// kept for each highlight and each distance from it. Paths that leave the extent are dropped, unless all do.
+/// Finds candidate paths. Each is a bow or an S of bounded curvature, and its end faces one of the highlights
+/// of the terrain: the most interesting cells without a better neighbour. The rating of a path sums what is
+/// seen ahead from all its samples (24 fans of 25 rays): interest counts for it, the edge of the terrain and
+/// ground that was not measured against it. The best path is kept for each highlight and each distance from
+/// it. Paths that leave the extent are dropped, unless all do.
 /// Cost: some thousand paths. Deterministic: the first of equal ones wins.
 std::vector<FlightPlan> flightPlans(const TourTerrain& terrain, const ReliefMap& map, const TourScale& scale);
 

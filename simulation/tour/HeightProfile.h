@@ -10,11 +10,10 @@
 namespace simulation
 {
 
-/// The heights along a flight path: first high, then medium, a low pass, and up again, above the ground below, beside
-/// and ahead.
-/// Invariant (within rounding), checked by isWithin(): every sample keeps the clearance of the scale above the ground
-/// below and above the ground within a third of the medium height to either side; slopes keep the climb and sink of
-/// the scale.
+/// The heights along a flight path: first high, then medium, a low pass, and up again, above the ground
+/// below, beside and ahead. Invariant (within rounding), checked by isWithin(): every sample keeps the
+/// clearance of the scale above the ground below and above the ground within a third of the medium height to
+/// either side; slopes keep the climb and sink of the scale.
 struct HeightProfile
 {
     std::vector<double> groundM; ///< highest ground across the corridor at each sample of the plan

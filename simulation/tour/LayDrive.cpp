@@ -15,8 +15,8 @@ namespace
 
 constexpr double kStationSpacingM = 4.0;
 constexpr double kSmallestDistanceM = 20.0;
-/// The surface of a road that ends in the open wears off over its last 15 m; the front of the car is 4 m before its reference point, the
-/// rear wheels at it.
+/// The surface of a road that ends in the open wears off over its last 15 m; the front of the car is 4 m
+/// before its reference point, the rear wheels at it.
 constexpr double kWornM = 15.0, kFrontM = 5.0, kRearM = 1.0;
 constexpr double kLargestShare = 0.1; ///< of a way, for each end
 

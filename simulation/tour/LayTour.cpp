@@ -17,8 +17,8 @@ constexpr double kExcessWeight = 1.0; ///< what a medium height too high costs, 
 constexpr double kFlightVertexEveryS = 0.5;
 constexpr double kCheckEveryS = 1.0 / 48.0;
 
-/// An airborne eye that looks where it flies sees sky when it climbs: like a helicopter, this one carries its nose
-/// below its path, and follows the path's slope by half.
+/// An airborne eye that looks where it flies sees sky when it climbs: like a helicopter, this one carries its
+/// nose below its path, and follows the path's slope by half.
 constexpr double kNoseDownRad = 0.09;
 constexpr double kPitchShare = 0.5;
 

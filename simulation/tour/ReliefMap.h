@@ -8,9 +8,10 @@
 namespace simulation
 {
 
-/// A coarse map of a terrain that tells where it is high and rugged, with at most 160 cells along the longer side.
-/// The curvature of the Earth is subtracted, so that the far corner of a large tile does not count as low.
-/// `interest` is 0 on a plain at the lowest height, about 1 in rugged mountains, up to 2 on an isolated summit.
+/// A coarse map of a terrain that tells where it is high and rugged, with at most 160 cells along the longer
+/// side. The curvature of the Earth is subtracted, so that the far corner of a large tile does not count as
+/// low. `interest` is 0 on a plain at the lowest height, about 1 in rugged mountains, up to 2 on an isolated
+/// summit.
 class ReliefMap
 {
 public:
@@ -23,7 +24,8 @@ public:
     int rows() const { return _rows; }
     glm::dvec2 centre(int column, int row) const;
 
-    /// Returns the interest of the cell at a point; 0 outside the extent. Ground that was not measured has none.
+    /// Returns the interest of the cell at a point; 0 outside the extent. Ground that was not measured has
+    /// none.
     double interestAt(double eastM, double northM) const;
 
     /// Returns the share of the cell at a point that was measured, 0…1; 0 outside the extent.
@@ -31,8 +33,8 @@ public:
     bool contains(double eastM, double northM) const;
     double interest(int column, int row) const { return _interest[index(column, row)]; }
 
-    /// Returns the height of the cell above the land around it (a square of a fifth of the extent) as a share of the
-    /// relief. It is large for a landmark.
+    /// Returns the height of the cell above the land around it (a square of a fifth of the extent) as a share
+    /// of the relief. It is large for a landmark.
     double prominence(int column, int row) const { return _prominence[index(column, row)]; }
 
     /// The difference of the 5th and the 95th percentile of the heights of the cells.

@@ -18,8 +18,8 @@ enum class RideWeather
 /// Under which sky somebody rides.
 struct RideConditions
 {
-    std::optional<double>
-        solarHour; ///< 0…24, mean solar time of the place on the longest day; absent: one that shows relief well
+    /// 0…24, mean solar time of the place on the longest day; absent: one that shows relief well
+    std::optional<double> solarHour;
     RideWeather weather = RideWeather::clear;
 };
 

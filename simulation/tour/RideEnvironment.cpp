@@ -9,7 +9,8 @@ namespace simulation
 namespace
 {
 
-// Meteorological optical range. Source: WMO, *Guide to Instruments and Methods of Observation*, 2018, part I, chapter 9: fog is below 1000 m.
+// Meteorological optical range. Source: WMO, *Guide to Instruments and Methods of Observation*, 2018, part I,
+// chapter 9: fog is below 1000 m.
 constexpr double kFogM = 250.0, kRainM = 4000.0, kSnowM = 1200.0;
 constexpr double kRainMmPerH = 10.0, kSnowMmPerH = 3.0; ///< heavy rain, snow
 

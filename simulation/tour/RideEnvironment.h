@@ -8,8 +8,8 @@
 namespace simulation
 {
 
-/// Returns the environment of a ride that begins in a direction (counter-clockwise from east), for the terrain's place; without
-/// georeference for 45° N. Units: radians.
+/// Returns the environment of a ride that begins in a direction (counter-clockwise from east), for the
+/// terrain's place; without georeference for 45° N. Units: radians.
 Environment rideEnvironment(const TourTerrain& terrain, double headingRad, const RideConditions& conditions);
 
 } // namespace simulation

@@ -9,13 +9,13 @@
 namespace simulation
 {
 
-/// Makes a scenario in which one entity follows vertices (parameter: seconds) in summer weather. `description` goes
-/// into the header.
+/// Makes a scenario in which one entity follows vertices (parameter: seconds) in summer weather.
+/// `description` goes into the header.
 Scenario tourScenario(const TourTerrain& terrain, ScenarioObject ownship,
                       const std::vector<PathVertex>& vertices, const std::string& description);
 
-/// Makes an environment with the sun to the side and slightly behind an entity that moves along `headingRad`, and
-/// with a visibility that covers the extent.
+/// Makes an environment with the sun to the side and slightly behind an entity that moves along `headingRad`,
+/// and with a visibility that covers the extent.
 Environment tourEnvironment(const TourTerrain& terrain, double headingRad);
 
 } // namespace simulation

@@ -196,8 +196,9 @@ private:
             {_timeS, *object.latitudeDeg, *object.longitudeDeg, object.heightM, line, object.attitude()});
     }
 
-    /// Takes longitude, latitude, height; with 6 or 9 parts roll, pitch and yaw; with 5 or 9 two of a flat map, and with 9 the
-    /// heading on it. An empty part stays as it was. Returns false where one is no number.
+    /// Takes longitude, latitude, height; with 6 or 9 parts roll, pitch and yaw; with 5 or 9 two of a flat
+    /// map, and with 9 the heading on it. An empty part stays as it was. Returns false where one is no
+    /// number.
     bool takePlace(AcmiObject& object, const std::vector<std::string>& parts) const
     {
         std::optional<double>* const members[] = {

@@ -28,7 +28,8 @@ public:
     }
 
 private:
-    /// Whether most points have a time. Points of one and the same time, as some programs write them, have none.
+    /// Whether most points have a time. Points of one and the same time, as some programs write them, have
+    /// none.
     static bool timesDiffer(pugi::xml_node parent, std::string_view element)
     {
         std::optional<double> first;

@@ -69,7 +69,8 @@ std::vector<std::string> wordsOf(std::string_view name)
     return words;
 }
 
-/// Which cell each column is in; -1: none. By the first word of its name, else by one of the others (`gps_latitude`).
+/// Which cell each column is in; -1: none. By the first word of its name, else by one of the others
+/// (`gps_latitude`).
 std::array<int, kColumns> columnsOf(const std::vector<std::string_view>& cells)
 {
     std::array<int, kColumns> columns;
@@ -88,7 +89,8 @@ std::array<int, kColumns> columnsOf(const std::vector<std::string_view>& cells)
     return columns;
 }
 
-/// Whether a column counts in feet: its name says so, or it is one of Flightradar24's tables, which have a position in one cell.
+/// Whether a column counts in feet: its name says so, or it is one of Flightradar24's tables, which have a
+/// position in one cell.
 bool isInFeet(const std::array<int, kColumns>& columns, const std::vector<std::string_view>& cells)
 {
     if (columns[kHeight] < 0) return false;

@@ -36,7 +36,8 @@ std::size_t word(std::string_view bytes, std::size_t at)
            static_cast<std::size_t>(static_cast<unsigned char>(bytes[at + 1])) << 8;
 }
 
-/// What a compressed stream holds. `windowBits`: as of inflateInit2(). Nothing where it is damaged or holds too much.
+/// What a compressed stream holds. `windowBits`: as of inflateInit2(). Nothing where it is damaged or holds
+/// too much.
 std::optional<std::string> inflated(std::string_view bytes, int windowBits)
 {
     z_stream stream;

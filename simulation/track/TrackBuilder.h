@@ -20,7 +20,8 @@ public:
     /// Begins a track; one without fixes is left out at the end.
     FlightTrack& begin(const std::string& name, HeightDatum datum);
 
-    /// Adds a fix to a track; nothing of it where a coordinate is out of its range, or its time not later than the one before.
+    /// Adds a fix to a track; nothing of it where a coordinate is out of its range, or its time not later
+    /// than the one before.
     void add(FlightTrack& track, const TrackFix& fix);
 
     void problem(int line, const std::string& what);

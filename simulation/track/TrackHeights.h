@@ -26,10 +26,12 @@ struct TrackHeights
     std::string message() const;
 };
 
-/// Puts the heights of a track above the ellipsoid and the drawn ground. Where the recorder stood or rolled on the ground, slower
-/// than 2 m/s in the first and the last minute, the median of ground less height is the offset of the datum; without
-/// such fixes, or with `findsOffset` = false (a made ground), it is 0. Then no fix stays less than `clearanceM` above the ground, and a fix without height lies on it.
-/// Cost: one look-up for each fix. Differs from a geoid model: what the barometer of the day adds is found, too.
+/// Puts the heights of a track above the ellipsoid and the drawn ground. Where the recorder stood or rolled
+/// on the ground, slower than 2 m/s in the first and the last minute, the median of ground less height is the
+/// offset of the datum; without such fixes, or with `findsOffset` = false (a made ground), it is 0. Then no
+/// fix stays less than `clearanceM` above the ground, and a fix without height lies on it.
+/// Cost: one look-up for each fix. Differs from a geoid model: what the barometer of the day adds is found,
+/// too.
 TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double clearanceM = 0.0,
                          bool findsOffset = true);
 

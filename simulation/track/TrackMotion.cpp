@@ -17,7 +17,8 @@ constexpr double kFlyingM = 50.0;
 constexpr double kWalkingMps = 2.5;
 constexpr double kTrackStandingMps = 0.3;
 
-/// The speed that nine tenths of the moving fixes do not exceed; nothing where nothing moves or there are no times.
+/// The speed that nine tenths of the moving fixes do not exceed; nothing where nothing moves or there are no
+/// times.
 std::optional<double> usualSpeed(const FlightTrack& track)
 {
     std::vector<double> speeds;

@@ -12,8 +12,9 @@ double metresBetween(const TrackFix& one, const TrackFix& other);
 /// The length of a track over ground. Units: metres.
 double lengthOf(const FlightTrack& track);
 
-/// Tells what moved where the file does not: an aircraft where a tenth of the fixes is 50 m above the ground or more, else a
-/// person on foot (slower than 2.5 m/s for nine tenths of the moving time) or a vehicle. Precondition: fitToGround() was called.
+/// Tells what moved where the file does not: an aircraft where a tenth of the fixes is 50 m above the ground
+/// or more, else a person on foot (slower than 2.5 m/s for nine tenths of the moving time) or a vehicle.
+/// Precondition: fitToGround() was called.
 TrackKind kindByMotion(const FlightTrack& track, const GroundHeight& ground);
 
 } // namespace simulation

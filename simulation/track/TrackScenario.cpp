@@ -155,7 +155,8 @@ private:
     TrackScenario _made;
 };
 
-/// Fits each track to the ground, tells what was done, and leaves out what is no body or not over the terrain.
+/// Fits each track to the ground, tells what was done, and leaves out what is no body or not over the
+/// terrain.
 void fitTracks(std::vector<FlightTrack>& tracks, const GroundHeight& ground, bool findsOffset,
                std::vector<std::string>& notes)
 {

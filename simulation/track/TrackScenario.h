@@ -29,10 +29,11 @@ struct TrackScenario
     double durationS = 0.0; ///< from the start of the scenario to the end of the last track
 };
 
-/// Makes a scenario in which each track is an entity that moves as it was recorded, over the ground of `frame`: heights are
-/// fitted to the ground (TrackHeights.h, TrackClearance.h), those of vehicles and persons left to it. What comes later or goes
-/// earlier is added and deleted by events. First stand those that fly, then those that move, then the others; a track
-/// without times is followed at a usual speed. Sun and hour are those of the recording, where it has a date.
+/// Makes a scenario in which each track is an entity that moves as it was recorded, over the ground of
+/// `frame`: heights are fitted to the ground (TrackHeights.h, TrackClearance.h), those of vehicles and
+/// persons left to it. What comes later or goes earlier is added and deleted by events. First stand those
+/// that fly, then those that move, then the others; a track without times is followed at a usual speed. Sun
+/// and hour are those of the recording, where it has a date.
 /// Errors: no track touches the terrain; the recording ends before `startS`; nothing in it can be shown.
 foundation::Result<TrackScenario> scenarioOf(std::vector<FlightTrack> tracks, const SceneFrame& frame,
                                              const TrackScenarioOptions& options);

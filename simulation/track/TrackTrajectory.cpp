@@ -24,7 +24,8 @@ constexpr double kLongGapS = 30.0;
 constexpr double kGapStepS = 10.0;
 constexpr int kMostInGap = 200;
 
-/// Puts places on the straight way between two vertices that are far apart in time, where a smooth curve would swing out.
+/// Puts places on the straight way between two vertices that are far apart in time, where a smooth curve
+/// would swing out.
 void fillGap(std::vector<Vertex>& vertices, const Vertex& next)
 {
     if (vertices.empty() || !next.timeS) return;

@@ -15,7 +15,8 @@ struct AirSample
     double temperatureK = 288.15;
     glm::dvec3 windMps{0.0};
 
-    /// Turbulence: the wind 6 m above the ground that stirs the air near it, and the standard deviation of gusts above 600 m.
+    /// Turbulence: the wind 6 m above the ground that stirs the air near it, and the standard deviation of
+    /// gusts above 600 m.
     double windAtSixMetresMps = 0.0;
     double gustDeviationMps = 0.0;
 };
@@ -26,7 +27,8 @@ class Air
 public:
     virtual ~Air() = default;
 
-    /// `heightM`: above the ellipsoid, which stands for the sea; `position`: in the scene's frame; `timeS`: of the simulation.
+    /// `heightM`: above the ellipsoid, which stands for the sea; `position`: in the scene's frame; `timeS`:
+    /// of the simulation.
     virtual AirSample at(const glm::dvec3& position, double heightM, double timeS) const = 0;
 };
 

@@ -31,7 +31,8 @@ struct VehicleStatus
 };
 
 /// Position and motion of a vehicle. No number is ever NaN or infinite.
-/// Frames: the scene's east-north-up; the body's x forward, y left, z up (ISO 8855). Units: metres, m/s, rad/s.
+/// Frames: the scene's east-north-up; the body's x forward, y left, z up (ISO 8855). Units: metres, m/s,
+/// rad/s.
 struct VehicleState
 {
     double timeS = 0.0;
@@ -43,7 +44,8 @@ struct VehicleState
 };
 
 /// Where and how a vehicle begins.
-/// Frame: the scene's east-north-up, as EntityState: the place is that of the reference point. Units: metres, radians, m/s.
+/// Frame: the scene's east-north-up, as EntityState: the place is that of the reference point. Units: metres,
+/// radians, m/s.
 struct VehicleStart
 {
     glm::dvec3 position{0.0};
@@ -52,7 +54,8 @@ struct VehicleStart
     bool isInAir = false; ///< it flies there; else it stands or rolls on the ground below the position
 };
 
-/// Anything that moves by its own physics. Whoever controls it writes inputs; whoever shows it reads the state.
+/// Anything that moves by its own physics. Whoever controls it writes inputs; whoever shows it reads the
+/// state.
 /// Determinism: the same inputs, ground and air give the same bytes. Threads: one at a time.
 class DynamicVehicle
 {
@@ -71,10 +74,12 @@ public:
     virtual void step(const Ground& ground, const Air& air) = 0;
 
     /// Puts the vehicle where it begins, at the time 0, sound and as steady as it can be there.
-    /// Errors: no such beginning (in water, inside the ground, too slow to fly), with the place; then the vehicle is as before.
+    /// Errors: no such beginning (in water, inside the ground, too slow to fly), with the place; then the
+    /// vehicle is as before.
     virtual foundation::Outcome begin(const VehicleStart& start, const Ground& ground, const Air& air) = 0;
 
-    /// The reference point of EntityState, from the centre of mass: on the ground below the rear axle, struts unloaded. Body axes.
+    /// The reference point of EntityState, from the centre of mass: on the ground below the rear axle, struts
+    /// unloaded. Body axes.
     virtual glm::dvec3 referencePoint() const = 0;
 
     /// Writes what pictures need besides the motion: wheels, steering, surfaces.

@@ -12,7 +12,8 @@ namespace simulation
 
 /// The round, turning Earth below a scene: gravity, up and height anywhere in the scene's frame.
 /// Frame: the scene's east-north-up about its origin, which turns with the Earth. Units: metres, m/s², rad/s.
-/// Source: WGS84 by GeographicLib::NormalGravity (the gravity of the ellipsoid, exact in the ellipsoidal model).
+/// Source: WGS84 by GeographicLib::NormalGravity (the gravity of the ellipsoid, exact in the ellipsoidal
+/// model).
 class EarthFrame
 {
 public:
@@ -28,7 +29,8 @@ public:
 
     Place placeAt(const glm::dvec3& position) const;
 
-    /// The same, level across the line to the middle of the Earth (up to 0.19° from the plumb line): the level of spherical models.
+    /// The same, level across the line to the middle of the Earth (up to 0.19° from the plumb line): the
+    /// level of spherical models.
     Place geocentricPlaceAt(const glm::dvec3& position) const;
 
     /// Gravity with the centrifugal part of the turning Earth.
@@ -56,8 +58,8 @@ struct LevelAngles
 /// The angles of body axes forward, right, down. The inverse of levelAttitude().
 LevelAngles levelAngles(const EarthFrame::Place& place, const glm::dquat& attitude);
 
-/// The attitude of body axes forward, right, down with a heading (from north, clockwise), pitch (nose up) and roll (right wing down)
-/// about a level place. Radians.
+/// The attitude of body axes forward, right, down with a heading (from north, clockwise), pitch (nose up) and
+/// roll (right wing down) about a level place. Radians.
 glm::dquat levelAttitude(const EarthFrame::Place& place, double heading, double pitch, double roll);
 
 } // namespace simulation

@@ -22,8 +22,8 @@ enum class GroundKind : std::uint8_t
 };
 
 /// How a kind of ground resists a tyre.
-/// Source: Raymer, *Aircraft Design: A Conceptual Approach*, 1989, table 17.1 (rolling and braked coefficients of runways; ours lie
-/// in its ranges, braking relative to dry asphalt).
+/// Source: Raymer, *Aircraft Design: A Conceptual Approach*, 1989, table 17.1 (rolling and braked
+/// coefficients of runways; ours lie in its ranges, braking relative to dry asphalt).
 struct GroundFriction
 {
     double gripFactor = 1.0;         ///< of the tyre's friction on dry asphalt
@@ -69,8 +69,8 @@ class Ground
 public:
     virtual ~Ground() = default;
 
-    /// Answers for each point what lies below it, or above it where it is under ground; of surfaces over each other (a bridge), the
-    /// one that the point stands on. `answers` has the length of `points`.
+    /// Answers for each point what lies below it, or above it where it is under ground; of surfaces over each
+    /// other (a bridge), the one that the point stands on. `answers` has the length of `points`.
     virtual void below(std::span<const glm::dvec3> points, std::span<GroundPoint> answers) const = 0;
 
     /// The same for whoever needs no normals: those of the answers may be left upright.

@@ -7,8 +7,8 @@
 namespace simulation
 {
 
-/// The ground of a scene (terrain, roads) as vehicles ask for it: heights of a provider, normals from its heights half a metre around,
-/// one kind for all. A point whose neighbours lie outside the data is unknown.
+/// The ground of a scene (terrain, roads) as vehicles ask for it: heights of a provider, normals from its
+/// heights half a metre around, one kind for all. A point whose neighbours lie outside the data is unknown.
 /// Cost: five look-ups a point; one where normals are not needed.
 class ProvidedGround : public Ground
 {

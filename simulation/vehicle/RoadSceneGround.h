@@ -10,8 +10,9 @@
 namespace simulation
 {
 
-/// The ground of a road network without terrain: asphalt on the lanes, and grass beside them that goes on as the road leans.
-/// Where roads lie over each other it is the nearest one by its height. Cost: about a microsecond a point.
+/// The ground of a road network without terrain: asphalt on the lanes, and grass beside them that goes on as
+/// the road leans. Where roads lie over each other it is the nearest one by its height. Cost: about a
+/// microsecond a point.
 class RoadSceneGround final : public Ground
 {
 public:

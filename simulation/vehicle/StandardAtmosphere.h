@@ -25,19 +25,22 @@ constexpr double kSeaPressurePa = 101325.0;
 constexpr double kSeaTemperatureK = 288.15;
 constexpr double kSeaDensity = 1.225;
 
-/// The standard atmosphere up to 20 km of geopotential height, with offsets of the day. Heights outside -2…20 km count as the nearest.
+/// The standard atmosphere up to 20 km of geopotential height, with offsets of the day. Heights outside -2…20
+/// km count as the nearest.
 /// `heightM`: geometric, above the sea. Pressure follows the offset temperature hydrostatically.
-/// Source: ICAO Doc 7488, *Manual of the ICAO Standard Atmosphere*, 3rd edition, 1993 (the troposphere and the layer above it).
+/// Source: ICAO Doc 7488, *Manual of the ICAO Standard Atmosphere*, 3rd edition, 1993 (the troposphere and
+/// the layer above it).
 AirState standardAtmosphere(double heightM, const AtmosphereOffsets& offsets = {});
 
-/// Calibrated airspeed of a true airspeed in given air: what a perfect instrument shows. Subsonic. Units: m/s.
+/// Calibrated airspeed of a true airspeed in given air: what a perfect instrument shows. Subsonic. Units:
+/// m/s.
 double calibratedAirspeed(double trueMps, const AirState& air);
 
 /// The inverse of calibratedAirspeed().
 double trueAirspeed(double calibratedMps, const AirState& air);
 
-/// What an altimeter shows in air of a pressure when it is set to another: the height between the two in the standard troposphere. Units:
-/// Pa, metres. Source: ICAO Doc 7488 (as standardAtmosphere()).
+/// What an altimeter shows in air of a pressure when it is set to another: the height between the two in the
+/// standard troposphere. Units: Pa, metres. Source: ICAO Doc 7488 (as standardAtmosphere()).
 double altimeterHeight(double pressurePa, double settingPa);
 
 } // namespace simulation

@@ -8,7 +8,8 @@
 namespace simulation
 {
 
-/// A function of one or two numbers, given at points: linear between them, constant beyond the first and the last.
+/// A function of one or two numbers, given at points: linear between them, constant beyond the first and the
+/// last.
 /// Cost: about 10 ns a look-up.
 class Table
 {
@@ -17,7 +18,8 @@ public:
     explicit Table(double value = 0.0) : Table({0.0}, {0.0}, {value}) {}
 
     /// `values`: row by row, one for each pair of `rows` and `columns`.
-    /// Errors (without a place): a wrong number of values, arguments that do not rise, a number that is not finite.
+    /// Errors (without a place): a wrong number of values, arguments that do not rise, a number that is not
+    /// finite.
     static foundation::Result<Table> of(std::vector<double> rows, std::vector<double> columns,
                                         std::vector<double> values);
 

@@ -36,8 +36,8 @@ public:
     /// The attributes xM, yM, zM.
     glm::dvec3 place(pugi::xml_node node);
 
-    /// A table in an element's text: rows of numbers, the first its argument. `hasColumns`: the first row has the columns'
-    /// arguments. A single number is a constant.
+    /// A table in an element's text: rows of numbers, the first its argument. `hasColumns`: the first row has
+    /// the columns' arguments. A single number is a constant.
     Table table(pugi::xml_node node, bool hasColumns);
 
     std::string name(pugi::xml_node node);
@@ -45,7 +45,8 @@ public:
     /// The only child of that name; an error where there is none.
     pugi::xml_node child(pugi::xml_node parent, const char* name);
 
-    /// Fails where an element of the file is none of these (separated by blanks) or names no listed source; lists sources first.
+    /// Fails where an element of the file is none of these (separated by blanks) or names no listed source;
+    /// lists sources first.
     void onlyElements(pugi::xml_node root, std::string_view names);
 
     /// Fails where an element has attributes other than these (separated by blanks) and name and source.

@@ -8,7 +8,8 @@ namespace simulation
 {
 
 /// One gust: the wind rises to its peak and falls again as 1 - cos.
-/// Source: MIL-F-8785C, *Flying Qualities of Piloted Airplanes*, 1980, section 3.7.2.3 (the discrete gust, here over time).
+/// Source: MIL-F-8785C, *Flying Qualities of Piloted Airplanes*, 1980, section 3.7.2.3 (the discrete gust,
+/// here over time).
 struct Gust
 {
     double startS = 0.0;

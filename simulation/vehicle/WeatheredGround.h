@@ -20,7 +20,8 @@ struct GroundWeather
     bool operator==(const GroundWeather&) const = default;
 };
 
-/// Returns it of an environment. A friction that the scenario gives below 1 stands for everything; wetness then counts no second time.
+/// Returns it of an environment. A friction that the scenario gives below 1 stands for everything; wetness
+/// then counts no second time.
 GroundWeather groundWeatherOf(const EnvironmentState& environment);
 
 /// A ground as a weather leaves it: asphalt is wet or as rough as the scenario says; all else is as before.

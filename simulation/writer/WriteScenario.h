@@ -10,9 +10,9 @@
 namespace simulation
 {
 
-/// Writes a scenario as OpenSCENARIO XML 1.3. A strict reading of the text gives an equal model except for the
-/// version in its header. Parameters and catalogue entries are written as replaced. Errors: Unsupported content,
-/// which has only a name.
+/// Writes a scenario as OpenSCENARIO XML 1.3. A strict reading of the text gives an equal model except for
+/// the version in its header. Parameters and catalogue entries are written as replaced. Errors: Unsupported
+/// content, which has only a name.
 foundation::Result<std::string> scenarioText(const Scenario& scenario);
 
 } // namespace simulation

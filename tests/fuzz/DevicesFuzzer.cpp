@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a devices file: they are refused, or every place of every axis is an input within its range.
+// Any bytes may be given as a devices file: they are refused, or every place of every axis is an input within
+// its range.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

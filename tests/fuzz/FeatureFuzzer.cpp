@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a map: it is read and cut into cells, or refused. The bytes are a file in memory, called a GeoJSON.
+// Any bytes may be given as a map: it is read and cut into cells, or refused. The bytes are a file in memory,
+// called a GeoJSON.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

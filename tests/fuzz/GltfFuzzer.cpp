@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a glTF, binary or text: they become a whole mesh, which consolidation leaves whole, or are refused.
+// Any bytes may be given as a glTF, binary or text: they become a whole mesh, which consolidation leaves
+// whole, or are refused.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a data file of an aircraft of JSBSim, and any line may come back from its process: both are read or refused. The
-// bytes are a data file, and, by themselves, a table: its first line the captions, the others rows.
+// Any bytes may be given as a data file of an aircraft of JSBSim, and any line may come back from its
+// process: both are read or refused. The bytes are a data file, and, by themselves, a table: its first line
+// the captions, the others rows.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a tree of a .mt file: they become a valid multi-triangulation, or are refused. The first byte tells
-// the step of heights and how many fragments are wanted.
+// Any bytes may be given as a tree of a .mt file: they become a valid multi-triangulation, or are refused.
+// The first byte tells the step of heights and how many fragments are wanted.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

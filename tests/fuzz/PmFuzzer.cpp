@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a progressive mesh: they become a valid one, whose levels can be played, or are refused. Check sums are made
-// anew, or nothing would get beyond them.
+// Any bytes may be given as a progressive mesh: they become a valid one, whose levels can be played, or are
+// refused. Check sums are made anew, or nothing would get beyond them.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

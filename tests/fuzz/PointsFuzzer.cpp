@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a file of points: they become finite points, or are refused with a line. On a lattice they lie within it, no two
-// at one place, and their triangles are counter-clockwise.
+// Any bytes may be given as a file of points: they become finite points, or are refused with a line. On a
+// lattice they lie within it, no two at one place, and their triangles are counter-clockwise.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

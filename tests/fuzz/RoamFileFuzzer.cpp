@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a .roam file, as a .bisection file or as a table of classes: they are read, or refused with their place.
+// Any bytes may be given as a .roam file, as a .bisection file or as a table of classes: they are read, or
+// refused with their place.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text may be given as a scenery: it becomes a description that keeps to its ranges, or is refused with place and remedy.
+// Any text may be given as a scenery: it becomes a description that keeps to its ranges, or is refused with
+// place and remedy.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be a polygon: contours of corners, on a small grid or of any number that the bytes make. What comes out of
-// it has to be triangles of its corners, none turned over.
+// Any bytes may be a polygon: contours of corners, on a small grid or of any number that the bytes make. What
+// comes out of it has to be triangles of its corners, none turned over.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

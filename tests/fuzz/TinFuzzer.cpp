@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a file of triangles: they become a TIN whose triangles have vertices, or are refused; on a lattice it is fit to
-// be built from, or refused. The first byte tells the format.
+// Any bytes may be given as a file of triangles: they become a TIN whose triangles have vertices, or are
+// refused; on a lattice it is fit to be built from, or refused. The first byte tells the format.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -14,7 +14,8 @@
 
 using TrackParser = foundation::Result<simulation::TrackReading> (*)(std::string_view, const std::string&);
 
-/// Any bytes may be given as a recorded track: what is read rises in time, lies on the Earth, and makes a trajectory.
+/// Any bytes may be given as a recorded track: what is read rises in time, lies on the Earth, and makes a
+/// trajectory.
 inline int fuzzTrack(TrackParser parse, const std::uint8_t* data, std::size_t size)
 {
     auto reading = parse(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutates XML so that most of it stays XML: what lies behind the parser of XML is reached. For fuzzers of XML formats.
+// Mutates XML so that most of it stays XML: what lies behind the parser of XML is reached. For fuzzers of XML
+// formats.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a road network: they are read, checked, asked for positions and meshed, or refused.
+// Any bytes may be given as a road network: they are read, checked, asked for positions and meshed, or
+// refused.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -62,7 +63,8 @@ void askRoad(const RoadNetwork& network, const RoadLocator& locator, int index)
     }
 }
 
-/// The drawn surface: whole triangles of vertices that are there, and levels whose errors are numbers that do not fall.
+/// The drawn surface: whole triangles of vertices that are there, and levels whose errors are numbers that do
+/// not fall.
 void checkMesh(RoadNetwork network)
 {
     const PlacedNetwork placed(std::make_shared<const RoadNetwork>(std::move(network)));

@@ -76,7 +76,8 @@ const std::vector<std::string> kValues = {
     "step",     "sinusoidal", "1e9",    "act",    "none",     "completeState", "",
     "absolute", "-1e308",     "rising", "31",     "2.5"};
 
-/// Puts a word for the value of one attribute: the text stays XML, so that what lies behind the XML is reached.
+/// Puts a word for the value of one attribute: the text stays XML, so that what lies behind the XML is
+/// reached.
 void replaceAttribute(std::string& text, Random& random)
 {
     const std::size_t open = text.find("=\"", random.below(text.size()));

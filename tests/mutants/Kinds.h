@@ -15,7 +15,8 @@ struct InputKind
     std::vector<std::filesystem::path> seeds;
     /// Returns the commands for a file; one of them is run for each mutant, in turn.
     std::function<std::vector<Command>(const std::string& file)> commands;
-    /// Makes check sums of a damaged file right again, or nothing else is tried; done for every second mutant. May be empty.
+    /// Makes check sums of a damaged file right again, or nothing else is tried; done for every second
+    /// mutant. May be empty.
     std::function<void(std::string& bytes)> repair = {};
 };
 

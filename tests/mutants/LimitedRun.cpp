@@ -52,7 +52,8 @@ struct Report
     _exit(127);
 }
 
-/// Runs the command in a child of this process, which has no other, so that the resources of its children are those of the command.
+/// Runs the command in a child of this process, which has no other, so that the resources of its children are
+/// those of the command.
 Report supervise(const std::vector<std::string>& command, int errors, const RunLimits& limits)
 {
     using Clock = std::chrono::steady_clock;

@@ -20,11 +20,11 @@ struct LimitedRun
     double memoryMiB = 0.0;
     std::string errors; ///< its standard error, the first 4 kB
 
-    /// Returns what is wrong with the run; empty when the program ended by itself within the limits, and an exit code above 0 came with a line
-    /// of words.
+    /// Returns what is wrong with the run; empty when the program ended by itself within the limits, and an
+    /// exit code above 0 came with a line of words.
     std::string fault(const RunLimits& limits) const;
 };
 
-/// Runs a command to its end, or kills it, with all its children, when it takes too long. A program that eats memory is stopped at four times the
-/// limit of memory.
+/// Runs a command to its end, or kills it, with all its children, when it takes too long. A program that eats
+/// memory is stopped at four times the limit of memory.
 LimitedRun runLimited(const std::vector<std::string>& command, const RunLimits& limits);

@@ -21,7 +21,8 @@ std::string hillGrid(const std::string& header = "xllcorner 0\nyllcorner 0\ncell
 /// Returns a grid of 12² squares over a wave, with texture coordinates, as OBJ.
 std::string wavesModel();
 
-/// Returns the files of real data below a folder with one of the extensions, up to 4 MB each; none where there is no such folder.
+/// Returns the files of real data below a folder with one of the extensions, up to 4 MB each; none where
+/// there is no such folder.
 Files realFiles(const std::filesystem::path& folder, std::initializer_list<const char*> extensions);
 
 Files joined(Files files, const Files& more);

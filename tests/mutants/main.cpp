@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// mutants: damages every kind of input in many ways and runs the programs on it. None may die of a signal, take more than 30 s or more
-// than 2 GB of memory, or fail without a word.
+// mutants: damages every kind of input in many ways and runs the programs on it. None may die of a signal,
+// take more than 30 s or more than 2 GB of memory, or fail without a word.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

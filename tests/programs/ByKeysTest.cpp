@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulated hand presses the keys of a person in a window on a display of its own (Xvfb): a whole circuit with its landing, and a lap of
-// a closed course. What was recorded repeats without a window to the same states and the same pictures.
+// A simulated hand presses the keys of a person in a window on a display of its own (Xvfb): a whole circuit
+// with its landing, and a lap of a closed course. What was recorded repeats without a window to the same
+// states and the same pictures.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -25,7 +26,8 @@ protected:
 
     std::string path(const std::string& name) const { return place.path(name); }
 
-    /// Rides in a window with ten pictures a second, and again by the recorded inputs, without pictures and with them.
+    /// Rides in a window with ten pictures a second, and again by the recorded inputs, without pictures and
+    /// with them.
     void rideAndRepeat(const std::vector<std::string>& ride, const std::string& eye, int pictures);
 
     Workplace place;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wrong calls are answered before any work: what takes long to read is not opened. Opened files are counted instead of seconds.
+// Wrong calls are answered before any work: what takes long to read is not opened. Opened files are counted
+// instead of seconds.
 #include "OpenedFiles.h"
 #include "ProgramRun.h"
 #include "Workplace.h"
@@ -16,7 +17,8 @@ struct WrongCall
     std::vector<std::string> unopened; ///< files that would be read if the work began
 };
 
-/// A workplace with all that the calls name: dem.tif, model.obj, roads.xodr, map.osm, the folder `folder`, the text notes.txt.
+/// A workplace with all that the calls name: dem.tif, model.obj, roads.xodr, map.osm, the folder `folder`,
+/// the text notes.txt.
 class CheapFirst : public testing::Test
 {
 protected:
@@ -197,7 +199,8 @@ TEST_F(CheapFirst, AWindowWithoutADisplayOpensNothing)
     EXPECT_FALSE(std::filesystem::exists(_place.path("world")));
 }
 
-/// The mutation: where nothing is wrong, the same files are opened, so the counts above can be other than none.
+/// The mutation: where nothing is wrong, the same files are opened, so the counts above can be other than
+/// none.
 TEST_F(CheapFirst, ARightCallOpensThem)
 {
     OpenedFiles files(_place.path(""));

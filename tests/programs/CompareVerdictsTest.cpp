@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that the verdicts of `compare_terrain methods` follow from its figures alone: a planted figure turns each of them.
+// Tests that the verdicts of `compare_terrain methods` follow from its figures alone: a planted figure turns
+// each of them.
 #include <string>
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happens to a window on a desktop: a mouse, other windows, being minimised (unmapped, as a window manager does it), devices that are pulled. Events are
-// those of the X server, by xdotool; the display is one of its own (Xvfb).
+// What happens to a window on a desktop: a mouse, other windows, being minimised (unmapped, as a window
+// manager does it), devices that are pulled. Events are those of the X server, by xdotool; the display is one
+// of its own (Xvfb).
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +22,8 @@ protected:
             GTEST_SKIP() << "SKIPPED: no desk; install the packages xvfb and xdotool";
     }
 
-    /// Flies in a window of 240x136 while a shell does `deeds`: $w is the window, shot N waits for its N-th picture, wanted by F12.
+    /// Flies in a window of 240x136 while a shell does `deeds`: $w is the window, shot N waits for its N-th
+    /// picture, wanted by F12.
     /// Exit code: the trainer's.
     ProgramRun fly(const std::string& deeds, const std::string& keys = "", const std::string& more = "",
                    const std::string& before = "")
@@ -140,8 +142,9 @@ TEST_F(Desk, DestroyedOrCutOffByOthersItKeepsItsRecording)
     }
 }
 
-/// At moments that nobody hits by hand: when a picture begins, and before and after it is shown. Mesa's drawing without a GPU asks for the size of the
-/// window there, and faults in one of eight runs of a program that goes on.
+/// At moments that nobody hits by hand: when a picture begins, and before and after it is shown. Mesa's
+/// drawing without a GPU asks for the size of the window there, and faults in one of eight runs of a program
+/// that goes on.
 TEST_F(Desk, DestroyedWhileAPictureIsMadeItKeepsItsRecording)
 {
     for (const char* moment : {"draw 12", "show 12", "shown 12"})
@@ -172,7 +175,8 @@ TEST_F(Desk, ResizedByOthersAgainAndAgainItGoesOn)
 }
 
 #ifdef OSGTRAINER_PULLED_STICK
-/// A stick that a library puts into the program's SDL: it comes, moves, is pulled while a button is held, and returns.
+/// A stick that a library puts into the program's SDL: it comes, moves, is pulled while a button is held, and
+/// returns.
 TEST_F(Desk, APulledDeviceIsToldAndTakenUpAgain)
 {
     const std::string maps =

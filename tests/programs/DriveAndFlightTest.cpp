@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car on a road and an aircraft on a GeoPosition trajectory in one storyboard, over the default terrain and over a real one.
+// A car on a road and an aircraft on a GeoPosition trajectory in one storyboard, over the default terrain and
+// over a real one.
 #include <iomanip>
 #include <regex>
 #include <sstream>

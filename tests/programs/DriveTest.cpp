@@ -111,7 +111,8 @@ TEST(Drive, TyresMeetTheWeather)
     EXPECT_TRUE(drivenOn(place, "gravel", {"--weather", "rain"}) == drivenOn(place, "gravel"));
 }
 
-/// A world of the test's hill and a level road through its top, 840 m long and east to west, 300 m high; `objects`: what lies on the road.
+/// A world of the test's hill and a level road through its top, 840 m long and east to west, 300 m high;
+/// `objects`: what lies on the road.
 std::string roadThroughHill(const Workplace& place, const std::string& objects, const std::string& more = "")
 {
     place.write(
@@ -130,7 +131,8 @@ std::string roadThroughHill(const Workplace& place, const std::string& objects, 
 
 constexpr double kRoadHeightM = 300.0 + 46.3; ///< of that road above the ellipsoid, as the scene has it
 
-/// A drive begins on a lane, never inside a hill: a tunnel leads through it, and else the ground is cut down to the road.
+/// A drive begins on a lane, never inside a hill: a tunnel leads through it, and else the ground is cut down
+/// to the road.
 TEST(Drive, BelowAHillItBeginsOnItsLane)
 {
     const Workplace place;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What makes `terraintool validate` end with exit code 1. No file makes the engine draw a broken mesh, so meshes are
-// broken here, and the command is exchanged for one that finds them.
+// What makes `terraintool validate` end with exit code 1. No file makes the engine draw a broken mesh, so
+// meshes are broken here, and the command is exchanged for one that finds them.
 #include "terraintool/FlightFindings.h"
 
 #include <limits>

@@ -112,7 +112,8 @@ TEST(Fly, DrawsLevelGroundWithoutAWorld)
     EXPECT_TRUE(std::filesystem::exists(place.path("frames/frame_00000.png")));
 }
 
-/// The stand-in for JSBSim flies straight on, and loses itself after half a second where the aircraft is called `dies`.
+/// The stand-in for JSBSim flies straight on, and loses itself after half a second where the aircraft is
+/// called `dies`.
 TEST(Fly, LetsJsbsimFly)
 {
     const Workplace place;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests what frame_bench writes: its tables are complete, and it measures no popping where nothing changes, but some where
-// the level of detail is made to jump.
+// Tests what frame_bench writes: its tables are complete, and it measures no popping where nothing changes,
+// but some where the level of detail is made to jump.
 #include "Playing.h"
 
 namespace
@@ -89,7 +89,8 @@ TEST(FrameBench, ShowsNothingWhereNothingIsLeftOutAndTheEyeStandsStill)
     const Workplace place;
     const ordered_json exact =
         frameTable(place, {"pop", "--tolerance", "0.000001", "--antialiasing", "none", "ssaa2"});
-    // The triangles of the grid start at other corners than those of the bintree, so interpolation may round differently.
+    // The triangles of the grid start at other corners than those of the bintree, so interpolation may round
+    // differently.
     for (const char* what : {"lodMinusFull", "delta"})
         EXPECT_LE(most(exact, what, "max"), 2) << what;
     EXPECT_EQ(most(exact, "pop", "max"), 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A disk that fills up or is read-only: the work stops with an error, and every picture under a final name is whole.
+// A disk that fills up or is read-only: the work stops with an error, and every picture under a final name is
+// whole.
 #include "Playing.h"
 
 namespace
@@ -39,7 +40,8 @@ void expectEndsWithError(const ProgramRun& run, const std::string& words)
 TEST(FullDisk, APictureThatDoesNotFitLeavesNothing)
 {
     const Workplace place;
-    // No file may grow beyond 4 kB. ThreadSanitizer would map a longer one of its own in the folder for such things.
+    // No file may grow beyond 4 kB. ThreadSanitizer would map a longer one of its own in the folder for such
+    // things.
     expectEndsWithError(inShell({}, "ulimit -f 8; trap '' XFSZ; TMPDIR=/nowhere exec " + kTour, place),
                         "frame_00000.png: ");
     EXPECT_TRUE(bytesIn(place.path("disk")).empty());

@@ -15,8 +15,9 @@ namespace
 
 using simulation::MotionTable;
 
-/// A car that turns along a smooth trajectory, a second one that follows places relative to it, and an aircraft that climbs: no roads, no
-/// terrain, everything `eastM` and `northM` from where the file would have it.
+/// A car that turns along a smooth trajectory, a second one that follows places relative to it, and an
+/// aircraft that climbs: no roads, no terrain, everything `eastM` and `northM` from where the file would have
+/// it.
 std::string shifted(double eastM, double northM)
 {
     const auto world = [&](double x, double y, const std::string& more = "")
@@ -85,7 +86,8 @@ TEST(Headless, ATenThousandKilometresAwayTheTableIsTheSameToAMillimetre)
     EXPECT_GT(glm::length(here.tracks[0].samples.back()->position), 50.0);
 }
 
-/// Fifty cars on the roads of multi_intersections: Ego, and a swarm of 49 with car-following drivers that turn by chance.
+/// Fifty cars on the roads of multi_intersections: Ego, and a swarm of 49 with car-following drivers that
+/// turn by chance.
 std::string fifty(const std::string& roads)
 {
     simulation::ScenarioText text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library to preload into a program that draws in a window: by a connection of its own to the display it destroys that window, as another program
-// could, at the moment that OSGTRAINER_LOSE_WINDOW names: "draw N", before the N-th picture is begun, "show N" or "shown N", before or after it is shown.
+// A library to preload into a program that draws in a window: by a connection of its own to the display it
+// destroys that window, as another program could, at the moment that OSGTRAINER_LOSE_WINDOW names: "draw N",
+// before the N-th picture is begun, "show N" or "shown N", before or after it is shown.
 #include <cstdlib>
 #include <sstream>
 #include <string>

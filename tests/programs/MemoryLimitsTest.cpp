@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs under limits of address space: they do their work, or say in one line what they lacked; nothing half-written is left.
+// Programs under limits of address space: they do their work, or say in one line what they lacked; nothing
+// half-written is left.
 #include <algorithm>
 #include <filesystem>
 #include <sstream>

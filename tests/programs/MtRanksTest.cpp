@@ -34,7 +34,8 @@ ProgramRun runRanks(const Workplace& place, const std::string& ranks, const std:
                        "-o", place.path(output), "--trees", trees});
 }
 
-/// Kills one of the processes whose command names the file, but not their mpirun. Returns whether there was one.
+/// Kills one of the processes whose command names the file, but not their mpirun. Returns whether there was
+/// one.
 bool killOneRank(const std::string& file)
 {
     for (const auto& entry : fs::directory_iterator("/proc"))

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A driver that offers less than the trainer draws with: one line that says what is offered and what is needed.
-// Mesa 22.3 alone has no driver below OpenGL 3.3 that runs without hardware of its own, so its override stands for an old one here.
-// Tried by hand with one that really offers less: virgl, whose host has OpenGL ES 3.0, offers 2.1 and is refused in the same words.
-// tests/render/OpenGlVersionTest.cpp looks at real contexts of other kinds; softpipe is a real driver with one sample a pixel.
+// A driver that offers less than the trainer draws with: one line that says what is offered and what is
+// needed. Mesa 22.3 alone has no driver below OpenGL 3.3 that runs without hardware of its own, so its
+// override stands for an old one here.
+// Tried by hand with one that really offers less: virgl, whose host has OpenGL ES 3.0, offers 2.1 and is
+// refused in the same words. tests/render/OpenGlVersionTest.cpp looks at real contexts of other kinds;
+// softpipe is a real driver with one sample a pixel.
 #include "ProgramRun.h"
 #include "Workplace.h"
 

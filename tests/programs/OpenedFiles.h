@@ -5,8 +5,9 @@
 #include <map>
 #include <string>
 
-/// Counts how often each file of a folder is opened, by whatever process, while it lives. The kernel counts (inotify), so that the programs
-/// need nothing for it, no clock is asked, and what a child of theirs opens counts, too.
+/// Counts how often each file of a folder is opened, by whatever process, while it lives. The kernel counts
+/// (inotify), so that the programs need nothing for it, no clock is asked, and what a child of theirs opens
+/// counts, too.
 class OpenedFiles
 {
 public:

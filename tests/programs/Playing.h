@@ -21,8 +21,8 @@ struct Playing
     nlohmann::json statistics;
 };
 
-/// Runs `trainer COMMAND SUBJECT` and `more`, four frames of 96×54 unless `more` says otherwise, capturing into the
-/// folder `name` of the workplace; a failed test if the program fails.
+/// Runs `trainer COMMAND SUBJECT` and `more`, four frames of 96×54 unless `more` says otherwise, capturing
+/// into the folder `name` of the workplace; a failed test if the program fails.
 Playing playedAs(const Workplace& place, const std::string& name, const std::vector<std::string>& command,
                  const std::vector<std::string>& more = {});
 

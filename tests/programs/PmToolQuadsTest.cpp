@@ -7,8 +7,8 @@
 namespace
 {
 
-/// A valley side with a crease: heights 0 and 3 across from one another, 1 and 1 on the other diagonal; a bow-tie; a triangle.
-/// OpenSceneGraph reads .obj with y up: (x, y, z) becomes (x, -z, y).
+/// A valley side with a crease: heights 0 and 3 across from one another, 1 and 1 on the other diagonal; a
+/// bow-tie; a triangle. OpenSceneGraph reads .obj with y up: (x, y, z) becomes (x, -z, y).
 constexpr const char* kQuads = "v 0 0 0\nv 1 1 0\nv 1 3 -1\nv 0 1 -1\nv 5 0 0\nv 6 0 -1\nv 6 0 0\nv 5 0 -1\n"
                                "f 1 2 3 4\nf 5 6 7 8\nf 5 7 6\n";
 
@@ -23,7 +23,8 @@ bool hasEdge(const std::string& obj, const std::string& a, const std::string& b)
     return false;
 }
 
-/// The plain .obj of what was read, before it is repaired; vertices may be numbered anew, so they are found by their positions.
+/// The plain .obj of what was read, before it is repaired; vertices may be numbered anew, so they are found
+/// by their positions.
 std::string diagonalBy(const Workplace& place, const std::string& rule)
 {
     const std::string file = place.write("quads.obj", kQuads), folder = place.path(rule);

@@ -10,7 +10,8 @@ namespace
 
 using nlohmann::ordered_json;
 
-/// Two squares side by side, the second with a vertex in the middle of the seam, a face twice, and a flat one.
+/// Two squares side by side, the second with a vertex in the middle of the seam, a face twice, and a flat
+/// one.
 constexpr const char* kBroken = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 1 0.5 0\n"
                                 "f 1 2 3\nf 1 3 4\nf 7 2 5\nf 7 5 6\nf 7 6 3\nf 7 6 3\nf 1 2 2\n";
 

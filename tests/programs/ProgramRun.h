@@ -21,7 +21,8 @@ struct ProgramRun
 /// Runs a command (a path, or a name in PATH) to its end, or for `limitS` seconds and then kills it.
 ProgramRun runProgram(const std::vector<std::string>& command, double limitS = 300.0);
 
-/// The arguments of the trainer with --no-world behind `tour` and `fly`, so that no test makes or opens a world by the way. With --world-folder they stay as they are.
+/// The arguments of the trainer with --no-world behind `tour` and `fly`, so that no test makes or opens a
+/// world by the way. With --world-folder they stay as they are.
 std::vector<std::string> withoutWorld(std::vector<std::string> arguments);
 
 /// Runs the trainer, withoutWorld().
@@ -33,7 +34,7 @@ std::vector<std::string> linesOf(const std::string& text);
 /// The program did all of it.
 testing::AssertionResult succeeds(const ProgramRun& run);
 
-/// The program ended with `exitCode` and one line on stderr, "PROGRAM: place: what; remedy", that has every word of
-/// `words` in it.
+/// The program ended with `exitCode` and one line on stderr, "PROGRAM: place: what; remedy", that has every
+/// word of `words` in it.
 testing::AssertionResult failsWith(const ProgramRun& run, int exitCode, const std::string& program,
                                    const std::vector<std::string>& words);

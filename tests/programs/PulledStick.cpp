@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library to preload into a program that reads devices by SDL: it makes up a stick that comes, moves, is pulled and returns, as somebody
-// pulls a plug. Each reading of the devices counts; times are seconds since the first.
+// A library to preload into a program that reads devices by SDL: it makes up a stick that comes, moves, is
+// pulled and returns, as somebody pulls a plug. Each reading of the devices counts; times are seconds since
+// the first.
 #include <chrono>
 #include <cstdint>
 

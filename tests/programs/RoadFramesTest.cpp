@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Consecutive frames of drives differ by no more than those of a render at a tenth of the error target, and one level, and in no
-// square of 10 pixels by much more: nothing pops or shimmers that a finer mesh would not show. OSGTRAINER_EVERY_FRAME=1 draws 24
-// frames of ten networks from two eyes, which takes a quarter of an hour, and prints a table.
+// Consecutive frames of drives differ by no more than those of a render at a tenth of the error target, and
+// one level, and in no square of 10 pixels by much more: nothing pops or shimmers that a finer mesh would not
+// show. OSGTRAINER_EVERY_FRAME=1 draws 24 frames of ten networks from two eyes, which takes a quarter of an
+// hour, and prints a table.
 #include <cstdlib>
 #include <iostream>
 
@@ -42,7 +43,8 @@ TEST(RoadFrames, DifferNoMoreThanThoseOfAFineRender)
     const std::vector<Difference> fine = stepsOf(framesOf(place, shot, "0.1"));
     const Excess excess = worstExcess(stepsOf(frames), fine);
     EXPECT_TRUE(excess.isAllowed()) << excess;
-    // The mutations: a thing of 8 pixels that appears, which the mean alone does not see, and a frame of another moment.
+    // The mutations: a thing of 8 pixels that appears, which the mean alone does not see, and a frame of
+    // another moment.
     auto appearing = frames;
     appearing[2] = withSquare(*frames[2], 81, 61, 8);
     const Excess ofThing = worstExcess(stepsOf(appearing), fine);

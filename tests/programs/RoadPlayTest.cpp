@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `trainer play` with pictures where a scenario names roads and no terrain: they are drawn in the frame of its positions.
+// `trainer play` with pictures where a scenario names roads and no terrain: they are drawn in the frame of
+// its positions.
 #include <osgOffscreen/PngFile>
 
 #include "Playing.h"

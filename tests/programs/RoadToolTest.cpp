@@ -102,7 +102,8 @@ TEST(RoadTool, DrawsSvgAndPng)
                           {"/nowhere/a.png"}));
 }
 
-/// A square of 4 m in a view of 8 m: 8 pixels, of which the middle 4 are covered; half-covered ones are half as dark.
+/// A square of 4 m in a view of 8 m: 8 pixels, of which the middle 4 are covered; half-covered ones are half
+/// as dark.
 TEST(RoadTool, PaintsTheShareOfEachPixelThatIsCovered)
 {
     using namespace roadtool;
@@ -122,7 +123,8 @@ TEST(RoadTool, PaintsTheShareOfEachPixelThatIsCovered)
     EXPECT_EQ(red(4, 1), 200);
 }
 
-/// Lanes are as wide in the image as on the road, north is up, and left lanes lie to the north of a road to the east.
+/// Lanes are as wide in the image as on the road, north is up, and left lanes lie to the north of a road to
+/// the east.
 TEST(RoadTool, TheTopViewShowsLanesInPlace)
 {
     using namespace roadtexts;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenarios that cannot be played: exit code 1, one line that names file and line, no picture and no figure left.
+// Scenarios that cannot be played: exit code 1, one line that names file and line, no picture and no figure
+// left.
 #include <algorithm>
 
 #include "HillsText.h"
@@ -114,7 +115,8 @@ const std::string kPlane = R"(<MiscObject name="aircraft" miscObjectCategory="no
 <BoundingBox><Center x="0" y="0" z="1"/><Dimensions width="11" length="8" height="2"/></BoundingBox>
 <Properties><Property name="domain" value="air"/></Properties></MiscObject>)";
 
-/// The hill of Workplace, 65 x 65 samples of 30 m, ends 960 m from the middle; there the ground lies at some 350 m.
+/// The hill of Workplace, 65 x 65 samples of 30 m, ends 960 m from the middle; there the ground lies at some
+/// 350 m.
 class StartsOffTheGround : public testing::Test
 {
 protected:

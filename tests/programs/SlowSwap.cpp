@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library to preload into a program that draws in a window: each picture takes half a second longer, as on a machine that is too slow.
+// A library to preload into a program that draws in a window: each picture takes half a second longer, as on
+// a machine that is too slow.
 #include <chrono>
 #include <thread>
 

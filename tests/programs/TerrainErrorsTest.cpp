@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Terrain that cannot be used: exit code 1, one line that names the file, and no result of any kind left behind.
+// Terrain that cannot be used: exit code 1, one line that names the file, and no result of any kind left
+// behind.
 #include "ProgramRun.h"
 #include "Workplace.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The worlds that the trainer shows where nobody names one: made up over a raster, once, and the default world.
+// The worlds that the trainer shows where nobody names one: made up over a raster, once, and the default
+// world.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

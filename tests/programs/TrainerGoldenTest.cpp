@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of the trainer itself, compared byte for byte: a flight, a drive at dusk with scenery, a drive through two channels, one
-// in rain, a tour with scenery. Each is the last of some frames, so that speeds and clocks count. Written anew by
-// OSGTRAINER_WRITE_GOLDEN=1 ctest -R TrainerGolden; tests/faults seeds faults that these frames must show.
+// Frames of the trainer itself, compared byte for byte: a flight, a drive at dusk with scenery, a drive
+// through two channels, one in rain, a tour with scenery. Each is the last of some frames, so that speeds and
+// clocks count. Written anew by OSGTRAINER_WRITE_GOLDEN=1 ctest -R TrainerGolden; tests/faults seeds faults
+// that these frames must show.
 #include <osgOffscreen/OffscreenContext>
 #include <osgOffscreen/PngFile>
 

@@ -10,7 +10,8 @@
 namespace
 {
 
-/// A scenario of a quarter of a second whose speed is a parameter, and three speeds for it. Returns the file of the speeds.
+/// A scenario of a quarter of a second whose speed is a parameter, and three speeds for it. Returns the file
+/// of the speeds.
 std::string writeSpeeds(const Workplace& place, const std::string& parameter = "speed")
 {
     simulation::ScenarioText text;

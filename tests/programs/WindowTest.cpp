@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rides by hand in a window, on a display of their own (Xvfb): what keys do, that it repeats without a window, and that nothing that
-// happens to a window hangs or loses a recording.
+// Rides by hand in a window, on a display of their own (Xvfb): what keys do, that it repeats without a
+// window, and that nothing that happens to a window hangs or loses a recording.
 #include <cstdio>
 
 #include "Playing.h"

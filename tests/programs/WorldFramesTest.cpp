@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Consecutive frames of the default world differ by no more than those of `--quality reference` (a tenth of the error target, every tree with all
-// faces that a pixel can show, shadow maps of four times the side) and one level: nothing pops, shimmers or crawls that a finer picture would
-// not show. The default world is the target default_world; the test is skipped where that has not been built. OSGTRAINER_EVERY_FRAME=1
-// draws 24 frames from six views, which takes twenty minutes of processor time, and prints a table; OSGTRAINER_FRAMES=FOLDER keeps the frames.
+// Consecutive frames of the default world differ by no more than those of `--quality reference` (a tenth of
+// the error target, every tree with all faces that a pixel can show, shadow maps of four times the side) and
+// one level: nothing pops, shimmers or crawls that a finer picture would not show. The default world is the
+// target default_world; the test is skipped where that has not been built. OSGTRAINER_EVERY_FRAME=1 draws 24
+// frames from six views, which takes twenty minutes of processor time, and prints a table;
+// OSGTRAINER_FRAMES=FOLDER keeps the frames.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in a world, by the three selections of Sadykov and Zakharov (2002): parked vehicles by the continuous rule with geomorph, houses by
-// overlapping ranges, trees by a budget. A car drives towards them; each golden is the fifth frame. Written anew with those of the trainer
-// (-R TrainerGolden).
+// What stands in a world, by the three selections of Sadykov and Zakharov (2002): parked vehicles by the
+// continuous rule with geomorph, houses by overlapping ranges, trees by a budget. A car drives towards them;
+// each golden is the fifth frame. Written anew with those of the trainer (-R TrainerGolden).
 #include <cmath>
 #include <functional>
 #include <string>

@@ -274,7 +274,8 @@ TEST(WorldTool, AMapWithoutStreetsMakesAWorldWithoutRoads)
     EXPECT_TRUE(succeeds(runWorldTool({"check", world})));
 }
 
-/// The steepest grade of the roads for cars, and the worst tunnel: how far it lies above the straight line between its ends.
+/// The steepest grade of the roads for cars, and the worst tunnel: how far it lies above the straight line
+/// between its ends.
 struct Extremes
 {
     double grade = 0.0, tunnelRiseM = 0.0;

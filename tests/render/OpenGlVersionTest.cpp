@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a driver must offer. The contexts are real ones that offer less than a trainer needs: OpenGL ES, and the core profile.
+// What a driver must offer. The contexts are real ones that offer less than a trainer needs: OpenGL ES, and
+// the core profile.
 #include <gtest/gtest.h>
 
 #define EGL_NO_X11

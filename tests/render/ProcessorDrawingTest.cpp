@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Anisotropic filtering is left out where a driver draws on the processor: a frame of a town took minutes with it.
+// Anisotropic filtering is left out where a driver draws on the processor: a frame of a town took minutes
+// with it.
 #include <osg/Geode>
 #include <osg/Geometry>
 #include <osg/Texture2D>

@@ -20,8 +20,8 @@ struct CheckedSurface
     {
     }
 
-    /// Tells what is wrong with an extraction, by brute force over all points: no triangulation of the surface, or a point beyond
-    /// the bound of the triangle it lies in.
+    /// Tells what is wrong with an extraction, by brute force over all points: no triangulation of the
+    /// surface, or a point beyond the bound of the triangle it lies in.
     std::optional<std::string> fault(const osgMultiTriangulation::core::Extraction& extraction) const
     {
         const osgMultiTriangulation::core::SurfaceMesh drawn = extraction.mesh();

@@ -11,7 +11,8 @@
 namespace testsupport
 {
 
-/// Rolling hills with rough ground on top, as a grid of points one step apart. Heights are multiples of 1/64 m.
+/// Rolling hills with rough ground on top, as a grid of points one step apart. Heights are multiples of 1/64
+/// m.
 inline osgMultiTriangulation::core::SurfaceMesh hillSurface(int columns, int rows, double roughnessM = 4.0)
 {
     Random random(1);

@@ -39,7 +39,8 @@ inline osgTerrainROAM::core::BisectionSurface madeTin(int levels)
             [](const glm::dvec3& p) { return p + glm::dvec3(0.0, 0.0, 0.04 * bumpsAt(p)); }};
 }
 
-/// Ground, a cliff that leans over it, and the plateau above: at some places three heights. Rough in all directions.
+/// Ground, a cliff that leans over it, and the plateau above: at some places three heights. Rough in all
+/// directions.
 inline osgTerrainROAM::core::BisectionSurface madeOverhang(int levels)
 {
     const double profile[][2] = {{-2, 0}, {0, 0.05}, {0.4, 0.3}, {-0.3, 1.0}, {0.1, 1.3}, {2, 1.4}};

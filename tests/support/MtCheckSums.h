@@ -10,8 +10,8 @@
 namespace testsupport
 {
 
-/// Makes the check sums of a .mt file right again after bytes were changed, those of its trees, its directory and its header
-/// (docs/reference/mt-file.md). What does not lie in the file is left out.
+/// Makes the check sums of a .mt file right again after bytes were changed, those of its trees, its directory
+/// and its header (docs/reference/mt-file.md). What does not lie in the file is left out.
 inline void renewMtCheckSums(std::string& bytes)
 {
     constexpr std::size_t kHeader = 80, kEntry = 56;

@@ -87,8 +87,8 @@ inline void shuffle(IndexedMesh& mesh, Random& random)
         std::swap(mesh.triangles[i - 1], mesh.triangles[random.below(static_cast<std::uint32_t>(i))]);
 }
 
-/// Turned so that the lowest number comes first, and sorted: the same for meshes that show the same, from the same sides.
-/// Triangles that show nothing are left out.
+/// Turned so that the lowest number comes first, and sorted: the same for meshes that show the same, from the
+/// same sides. Triangles that show nothing are left out.
 inline std::vector<osgPMObjects::core::Triangle>
 orientedSet(const std::vector<osgPMObjects::core::Triangle>& triangles)
 {

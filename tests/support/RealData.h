@@ -8,8 +8,9 @@
 
 #include <gtest/gtest.h>
 
-/// Declares `name` as a file or folder of the real data, `relative` to the folder that the environment variable
-/// OSGTRAINER_REAL_DATA names. Without the variable the test is skipped and says so; with it, a missing file fails.
+/// Declares `name` as a file or folder of the real data, `relative` to the folder that the environment
+/// variable OSGTRAINER_REAL_DATA names. Without the variable the test is skipped and says so; with it, a
+/// missing file fails.
 // NOLINTBEGIN(bugprone-macro-parentheses): a declared name cannot stand in parentheses
 #define OSGTRAINER_REAL_DATA_OR_SKIP(name, relative)                                                         \
     const char* const name##Base = std::getenv("OSGTRAINER_REAL_DATA");                                      \

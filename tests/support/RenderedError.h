@@ -12,8 +12,8 @@
 namespace rendered
 {
 
-/// Calls `visit(a's pixel, b's)`, three bytes each, where either shows something else than the background, which is a's first
-/// pixel. Both are RGB of one size.
+/// Calls `visit(a's pixel, b's)`, three bytes each, where either shows something else than the background,
+/// which is a's first pixel. Both are RGB of one size.
 template<class Visit>
 void visitCovered(const osg::Image& a, const osg::Image& b, const Visit& visit)
 {
@@ -28,8 +28,8 @@ void visitCovered(const osg::Image& a, const osg::Image& b, const Visit& visit)
         }
 }
 
-/// How far pictures are from others, over the pixels in which either shows something else than the background: the root of the
-/// mean of the squared differences of all channels, in levels of 255.
+/// How far pictures are from others, over the pixels in which either shows something else than the
+/// background: the root of the mean of the squared differences of all channels, in levels of 255.
 inline double silhouetteError(const std::vector<osg::ref_ptr<osg::Image>>& truth,
                               const std::vector<osg::ref_ptr<osg::Image>>& shown)
 {

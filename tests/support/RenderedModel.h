@@ -16,7 +16,8 @@
 namespace rendered
 {
 
-/// Where models are looked at from: above the eight corners of a box around them, so that no two sides look alike.
+/// Where models are looked at from: above the eight corners of a box around them, so that no two sides look
+/// alike.
 inline const std::array<osg::Vec3d, 8> kModelDirections = {{{1.0, 0.7, 0.4},
                                                             {-0.9, 0.8, 0.5},
                                                             {0.7, -1.0, 0.3},
@@ -44,7 +45,8 @@ public:
     {
         _viewer->viewer().setSceneData(&model);
         std::vector<osg::ref_ptr<osg::Image>> pictures;
-        // What the model does not set, OpenGL's current colour, is what drawing it leaves, once it has been seen.
+        // What the model does not set, OpenGL's current colour, is what drawing it leaves, once it has been
+        // seen.
         pictureTowards(kModelDirections.front(), ball);
         for (const osg::Vec3d& towards : kModelDirections)
             pictures.push_back(pictureTowards(towards, ball));

@@ -18,8 +18,9 @@ using osgPMObjects::core::Mesh;
 /// A point of a surface over (u, v), each 0…1.
 using SurfaceOf = std::function<glm::dvec3(double u, double v)>;
 
-/// `columns` × `rows` rectangles of a surface that closes in u, two triangles each, with normals by differences of its
-/// positions and (u, v) as texture coordinates. Triangles without area, at poles, are left out.
+/// `columns` × `rows` rectangles of a surface that closes in u, two triangles each, with normals by
+/// differences of its positions and (u, v) as texture coordinates. Triangles without area, at poles, are left
+/// out.
 inline Mesh roundMesh(std::uint32_t columns, std::uint32_t rows, const SurfaceOf& surface)
 {
     osgPMObjects::core::MeshBuilder builder;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed meshes as scanners make them: a curved surface with edges in all directions and vertices of many valences.
+// Closed meshes as scanners make them: a curved surface with edges in all directions and vertices of many
+// valences.
 #pragma once
 
 #include <array>
@@ -18,7 +19,8 @@
 namespace testsupport
 {
 
-/// Turns edges of a closed mesh at random: the two triangles at an edge get the other diagonal of their quadrangle.
+/// Turns edges of a closed mesh at random: the two triangles at an edge get the other diagonal of their
+/// quadrangle.
 class EdgeTurner
 {
 public:
@@ -76,8 +78,8 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> _faceAt; ///< by directed edge
 };
 
-/// A closed blob with bumps, of radius about 1: an octahedron whose edges are divided by `divisions`, so it has
-/// 8 divisions² faces; a third of the edges are turned.
+/// A closed blob with bumps, of radius about 1: an octahedron whose edges are divided by `divisions`, so it
+/// has 8 divisions² faces; a third of the edges are turned.
 inline Mesh scannedBlob(std::int32_t divisions)
 {
     std::vector<glm::dvec3> positions;

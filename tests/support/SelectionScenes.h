@@ -67,8 +67,8 @@ inline osgPMObjects::core::OrientedBox box(Random& random)
             {between(random, 0.1, 3), between(random, 0.1, 3), between(random, 0.1, 3)}};
 }
 
-/// A closed mesh of `positions` positions whose every step takes two faces, with an error that grows with the steps; the area
-/// is that of a sphere of radius 1.
+/// A closed mesh of `positions` positions whose every step takes two faces, with an error that grows with the
+/// steps; the area is that of a sphere of radius 1.
 inline osgPMObjects::core::LevelTable levelTable(std::uint32_t positions = 1000)
 {
     osgPMObjects::core::LevelTable table;
@@ -83,8 +83,8 @@ inline osgPMObjects::core::LevelTable levelTable(std::uint32_t positions = 1000)
     return table;
 }
 
-/// How often `level(x)` changes while x goes up and down by `share` about `middle` for `rounds` rounds; x may be a
-/// distance. `level` keeps its own state.
+/// How often `level(x)` changes while x goes up and down by `share` about `middle` for `rounds` rounds; x may
+/// be a distance. `level` keeps its own state.
 template<class Level>
 int switchesWhileTrembling(double middle, double share, int rounds, const Level& level)
 {

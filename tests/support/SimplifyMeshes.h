@@ -75,7 +75,8 @@ inline Mesh waves(std::uint32_t columns, std::uint32_t rows)
     return mesh;
 }
 
-/// Waves with a texture in two halves that meet along the middle column, where its coordinates jump; one material.
+/// Waves with a texture in two halves that meet along the middle column, where its coordinates jump; one
+/// material.
 inline Mesh texturedInHalves(std::uint32_t columns, std::uint32_t rows)
 {
     using namespace osgPMObjects::core;

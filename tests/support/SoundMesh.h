@@ -9,7 +9,8 @@
 namespace testsupport
 {
 
-/// Refines a mesh for a view and checks it by brute force: conforming, nothing open, every sample within the tolerance.
+/// Refines a mesh for a view and checks it by brute force: conforming, nothing open, every sample within the
+/// tolerance.
 inline testing::AssertionResult isSoundFrom(osgTerrainROAM::core::RoamMesh& mesh,
                                             const viewlod::ViewState& view, double tolerancePx)
 {

@@ -12,8 +12,8 @@
 namespace testsupport
 {
 
-/// Rolling hills with rough ground on top; no two samples alike. Heights are multiples of 1/64 m, so that they do not
-/// depend on a library's last bit.
+/// Rolling hills with rough ground on top; no two samples alike. Heights are multiples of 1/64 m, so that
+/// they do not depend on a library's last bit.
 inline osgTerrainROAM::core::HeightField hills(int columns, int rows, double spacingM = 30.0,
                                                std::uint64_t seed = 1)
 {

@@ -107,7 +107,8 @@ inline int windingNumber(const Polygon& polygon, const glm::dvec2& place)
     return number;
 }
 
-/// The area of all places whose winding number is `wanted`, by cutting the plane into strips in which no edges meet.
+/// The area of all places whose winding number is `wanted`, by cutting the plane into strips in which no
+/// edges meet.
 template<class Wanted>
 double areaWhere(const Polygon& polygon, Wanted wanted)
 {

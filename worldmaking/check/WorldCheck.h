@@ -79,8 +79,9 @@ struct WorldFaults
     }
 };
 
-/// Looks at everything by brute force: lanes each metre at both edges and in the middle, outlines each metre, roads each 5 m.
-/// It shares no rule with what places things but the look-up of roads. Cost: some 2 µs a metre of road and of outline, 3 µs a plant.
+/// Looks at everything by brute force: lanes each metre at both edges and in the middle, outlines each metre,
+/// roads each 5 m. It shares no rule with what places things but the look-up of roads. Cost: some 2 µs a
+/// metre of road and of outline, 3 µs a plant.
 WorldFaults checkWorld(const WorldThings& things);
 
 inline constexpr double kMostGapM =

@@ -13,7 +13,8 @@
 namespace worldmaking
 {
 
-/// Writes earthworks as a GeoPackage that `earthworks` of a .roam file reads (osgTerrainROAM/core/edit/ShapeGround.h), in their order.
+/// Writes earthworks as a GeoPackage that `earthworks` of a .roam file reads
+/// (osgTerrainROAM/core/edit/ShapeGround.h), in their order.
 /// Errors: as MapFile::finish().
 foundation::Outcome writeEarthworks(std::span<const osgTerrainROAM::core::Earthwork> works,
                                     const MapPlane& plane, const std::filesystem::path& file);

@@ -20,7 +20,8 @@ struct RunwayLimits
     double stripFall = 0.015;
 };
 
-/// Source: ICAO, *Annex 14*, volume I, 8th edition, 3.1.13 to 3.1.18 and 3.4.3 to 3.4.11 (from memory of its figures).
+/// Source: ICAO, *Annex 14*, volume I, 8th edition, 3.1.13 to 3.1.18 and 3.4.3 to 3.4.11 (from memory of its
+/// figures).
 RunwayLimits runwayLimits(double lengthM);
 
 /// The heights of a runway.
@@ -30,14 +31,16 @@ struct RunwayProfile
     bool isSteep = false;         ///< the ground leaves no room for the limits: its own slope, straight
 };
 
-/// Fits heights to those of the ground at even stations: as near to them as the limits of slope and curvature allow, in the sense of
-/// least squares with the smallest penalty on curvature that meets the limits. A straight line steeper than the limit gets the limit,
-/// unless its ends would then lie more than kMostEarthM above or below the ground's.
-/// Source: Eilers & Marx, *Flexible smoothing with B-splines and penalties*, 1996, with splines of degree 0. Differs: the penalty is
-/// found from limits. Cost: some milliseconds.
+/// Fits heights to those of the ground at even stations: as near to them as the limits of slope and curvature
+/// allow, in the sense of least squares with the smallest penalty on curvature that meets the limits. A
+/// straight line steeper than the limit gets the limit, unless its ends would then lie more than kMostEarthM
+/// above or below the ground's.
+/// Source: Eilers & Marx, *Flexible smoothing with B-splines and penalties*, 1996, with splines of degree 0.
+/// Differs: the penalty is found from limits. Cost: some milliseconds.
 RunwayProfile runwayProfile(std::span<const double> groundM, double stationM, const RunwayLimits& limits);
 
-/// Smooths heights at even stations: the least squares of their weighted distances, plus `penalty` times those of second differences.
+/// Smooths heights at even stations: the least squares of their weighted distances, plus `penalty` times
+/// those of second differences.
 /// `weights`: of each station, above 0; large ones pin it.
 std::vector<double> smoothedHeights(std::span<const double> groundM, std::span<const double> weights,
                                     double penalty);

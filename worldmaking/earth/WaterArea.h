@@ -32,8 +32,9 @@ struct WaterArea
 /// Returns the distance of a place from the nearest edge of an area.
 double shoreDistanceM(const PlanRings& area, const glm::dvec2& place);
 
-/// Returns the heights of the ground at the shore of an area, each 10 m, the lowest first: the lower of a place of the shore and of one 8 m beyond, since
-/// a pool on a slope ends where the ground falls. Nothing: some place has no ground.
+/// Returns the heights of the ground at the shore of an area, each 10 m, the lowest first: the lower of a
+/// place of the shore and of one 8 m beyond, since a pool on a slope ends where the ground falls. Nothing:
+/// some place has no ground.
 std::optional<std::vector<double>> shoreOf(const PlanRings& rings, const PlanHeight& ground);
 
 } // namespace worldmaking

@@ -135,7 +135,8 @@ private:
         return static_cast<std::uint32_t>(_net.groundM.size() - 1);
     }
 
-    /// An area that is part of the same lake as another, since they touch: of maps that draw a lake in pieces.
+    /// An area that is part of the same lake as another, since they touch: of maps that draw a lake in
+    /// pieces.
     const WaterArea* touching(const WaterArea& area) const
     {
         const WaterArea* found = nullptr;

@@ -22,9 +22,10 @@ struct WaterReport
     std::size_t beyondGround = 0;
 };
 
-/// Lays open water at its level: lakes level, rivers and canals falling in the direction of their lines, both with shores that rise to the
-/// ground or are banked up. A lake and the rivers through it have one level where they meet. A river is as wide as the area that
-/// its line lies in, or as riverWidthM() says. Streams and ditches stay as the ground is.
+/// Lays open water at its level: lakes level, rivers and canals falling in the direction of their lines, both
+/// with shores that rise to the ground or are banked up. A lake and the rivers through it have one level
+/// where they meet. A river is as wide as the area that its line lies in, or as riverWidthM() says. Streams
+/// and ditches stay as the ground is.
 /// Frame: the plane.
 std::vector<osgTerrainROAM::core::Earthwork> waterWorks(const LandMap& map, const MapPlane& plane,
                                                         const PlanHeight& ground, WaterReport& report);
@@ -32,7 +33,8 @@ std::vector<osgTerrainROAM::core::Earthwork> waterWorks(const LandMap& map, cons
 /// Tells whether an area of water flows.
 bool isRiverArea(const Tags& tags);
 
-/// Returns the width of a line of water: its tag, or a customary one. Nothing: it is no river or canal, or lies underground.
+/// Returns the width of a line of water: its tag, or a customary one. Nothing: it is no river or canal, or
+/// lies underground.
 std::optional<double> riverWidthM(const LandShape& shape);
 
 } // namespace worldmaking

@@ -44,8 +44,9 @@ struct HouseRoom
     HasGround hasGround;
 };
 
-/// Takes the buildings (key `building`) and towers of a map that can stand: none within kHouseRoomM of a lane, none on a runway, none over
-/// another, none in water. Larger ones come first where two overlap. Sources: as scenery::buildingOf().
+/// Takes the buildings (key `building`) and towers of a map that can stand: none within kHouseRoomM of a
+/// lane, none on a runway, none over another, none in water. Larger ones come first where two overlap.
+/// Sources: as scenery::buildingOf().
 std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const HouseRoom& room,
                             HouseReport& report);
 

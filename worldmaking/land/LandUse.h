@@ -30,7 +30,8 @@ struct LandReport
 /// Returns the class of an area of a map; nothing where its tags name none.
 std::optional<Cover> coverOf(const Tags& tags);
 
-/// Returns the part of the plane that the things of a map lie in, streets included; nothing where there are none.
+/// Returns the part of the plane that the things of a map lie in, streets included; nothing where there are
+/// none.
 std::optional<MapBox> extentOf(const LandMap& map, const MapPlane& plane);
 
 /// Paints the areas of a map, larger ones below smaller ones; water lies above all.
@@ -38,8 +39,9 @@ std::optional<MapBox> extentOf(const LandMap& map, const MapPlane& plane);
 CoverRaster coverRasterOf(const LandMap& map, const MapPlane& plane, const std::optional<MapBox>& limit,
                           LandReport& report);
 
-/// Writes what is painted exactly, as a GeoPackage with the attribute `kind` that `features` of a .roam file reads: fields, lakes,
-/// rivers, tracks and paths, railways, taxiways and aprons, runways. Covered waters and ways in tunnels are left out.
+/// Writes what is painted exactly, as a GeoPackage with the attribute `kind` that `features` of a .roam file
+/// reads: fields, lakes, rivers, tracks and paths, railways, taxiways and aprons, runways. Covered waters and
+/// ways in tunnels are left out.
 /// Errors: as MapFile::finish().
 foundation::Outcome writeGround(const LandMap& map, std::span<const Runway> runways,
                                 const std::filesystem::path& file, LandReport& report);

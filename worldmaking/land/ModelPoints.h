@@ -14,8 +14,9 @@
 namespace worldmaking
 {
 
-/// Writes the points of a map that name a generated model (key `model`, and `heading` in degrees from north, clockwise, and `seed`) as
-/// objects of a world, but those nearer than kModelRoomM to lanes or beyond the ground. Returns how many there are; no file where there is none.
+/// Writes the points of a map that name a generated model (key `model`, and `heading` in degrees from north,
+/// clockwise, and `seed`) as objects of a world, but those nearer than kModelRoomM to lanes or beyond the
+/// ground. Returns how many there are; no file where there is none.
 /// Errors: as MapFile::finish().
 foundation::Result<std::size_t> writeModels(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
                                             const PlanHeight& height, const std::filesystem::path& file);

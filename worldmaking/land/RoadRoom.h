@@ -14,7 +14,8 @@ namespace worldmaking
 
 using PlanRings = std::vector<std::vector<glm::dvec2>>;
 
-/// Tells how much room roads leave: those on the ground and on bridges, not those in tunnels. Frame: inertial. Units: metres.
+/// Tells how much room roads leave: those on the ground and on bridges, not those in tunnels. Frame:
+/// inertial. Units: metres.
 class RoadRoom
 {
 public:
@@ -24,10 +25,12 @@ public:
     /// Returns the distance from the lanes of the nearest road; `withinM` where none is nearer.
     double distanceM(const glm::dvec2& place, double withinM) const;
 
-    /// Cuts an outline back until it is `roomM` from all lanes. Nothing: less than `leastShare` of its area is left.
+    /// Cuts an outline back until it is `roomM` from all lanes. Nothing: less than `leastShare` of its area
+    /// is left.
     std::optional<PlanRings> cutBack(PlanRings rings, double roomM, double leastShare) const;
 
-    /// Returns the least distance of an outline's edges from lanes, looked at every metre; `withinM` where none is nearer.
+    /// Returns the least distance of an outline's edges from lanes, looked at every metre; `withinM` where
+    /// none is nearer.
     double distanceM(const PlanRings& rings, double withinM) const;
 
 private:

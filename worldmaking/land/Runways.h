@@ -24,14 +24,14 @@ struct Runway
     std::string surface; ///< asphalt, gravel or grass
 };
 
-/// Reads runways of a table of OurAirports (comma-separated, a line of names first; ends, width in feet, surface). Closed runways and
-/// lines without both ends are counted in `unusable`.
+/// Reads runways of a table of OurAirports (comma-separated, a line of names first; ends, width in feet,
+/// surface). Closed runways and lines without both ends are counted in `unusable`.
 /// Errors: a file that cannot be read, or lacks one of the columns.
 /// Source: ourairports.com/help/data-dictionary.html, runways.csv.
 foundation::Result<std::vector<Runway>> readRunways(const std::filesystem::path& file, std::size_t& unusable);
 
-/// Returns the strip of a runway in the plane that stays free: kStripEndM beyond its ends, kStripSideM beside it. Nothing: no place in
-/// the plane.
+/// Returns the strip of a runway in the plane that stays free: kStripEndM beyond its ends, kStripSideM beside
+/// it. Nothing: no place in the plane.
 std::optional<PlanRings> stripOf(const Runway& runway, const MapPlane& plane);
 
 inline constexpr double kStripEndM = 60.0, kStripSideM = 25.0;

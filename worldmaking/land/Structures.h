@@ -34,9 +34,10 @@ struct StructureRoom
     PlanHeight ground;
 };
 
-/// Writes walls, fences, power lines, railways, wind turbines and windsocks of a map as a GeoPackage that `structures` of a .roam file
-/// reads. Walls and fences end kGateM before lanes; a runway without a windsock of the map gets one beside its strip.
-/// Nothing is written where the map has none. Errors: as MapFile::finish().
+/// Writes walls, fences, power lines, railways, wind turbines and windsocks of a map as a GeoPackage that
+/// `structures` of a .roam file reads. Walls and fences end kGateM before lanes; a runway without a windsock
+/// of the map gets one beside its strip. Nothing is written where the map has none. Errors: as
+/// MapFile::finish().
 foundation::Outcome writeStructures(const LandMap& map, const MapPlane& plane, const StructureRoom& room,
                                     const std::filesystem::path& file, StructureReport& report);
 

@@ -43,10 +43,11 @@ struct TreeReport
     double spacingM = 0.0; ///< between trees of woods
 };
 
-/// Plants woods where the raster has trees, one in each square of a grid, somewhere within it; wider apart where the whole would be more
-/// than kMostTrees. Orchards and hedges have rows of bushes, tree rows and single trees those of the map. None stands within
-/// kTreeRoomM of lanes, kWallRoomM of houses, in water, on a runway's strip or where there is no ground.
-/// Kinds follow leaf_type, or else the height: above 1500 m most are spruces.
+/// Plants woods where the raster has trees, one in each square of a grid, somewhere within it; wider apart
+/// where the whole would be more than kMostTrees. Orchards and hedges have rows of bushes, tree rows and
+/// single trees those of the map. None stands within kTreeRoomM of lanes, kWallRoomM of houses, in water, on
+/// a runway's strip or where there is no ground. Kinds follow leaf_type, or else the height: above 1500 m
+/// most are spruces.
 std::vector<Tree> treesOf(const LandMap& map, const MapPlane& plane, const TakenGround& taken,
                           const PlanHeight& height, TreeReport& report);
 

@@ -16,7 +16,8 @@ constexpr double kRunwaySearchM = 200.0, kRunwayBorderM = 1200.0, kRunwaySampleM
 constexpr double kApronSideM = 190.0; ///< ground on the side of the apron that has to be level too
 constexpr int kRunwayDirections = 12;
 
-/// How far the ground of a strip is from the line between its ends, at most; nothing where it is too steep or no land.
+/// How far the ground of a strip is from the line between its ends, at most; nothing where it is too steep or
+/// no land.
 std::optional<double> unevenM(const GroundGrid& ground, const glm::dvec2& from, const glm::dvec2& to,
                               const glm::dvec2& apronSide, double best)
 {

@@ -30,8 +30,8 @@ struct Airfield
     MadeShapes shapes() const;                 ///< taxiways, apron, hangars, tower, windsock
 };
 
-/// Looks for the gentlest ground for a runway of 1500 m: everywhere, in twelve directions. Nothing: the ground is nowhere within
-/// kMostUnevenM of a line of kMostGrade at most.
+/// Looks for the gentlest ground for a runway of 1500 m: everywhere, in twelve directions. Nothing: the
+/// ground is nowhere within kMostUnevenM of a line of kMostGrade at most.
 std::optional<Airfield> airfieldOn(const GroundGrid& ground);
 
 inline constexpr double kMostUnevenM = 7.0, kMostGrade = 0.018;

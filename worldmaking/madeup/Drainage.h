@@ -19,9 +19,10 @@ struct Stream
     double widthM() const { return std::clamp(1.2 * std::sqrt(areaKm2), 1.5, 14.0); }
 };
 
-/// Where water runs on a ground: the area above each point, and streams where it is large. Hollows are filled up to their lowest rim.
-/// Source: Barnes, Lehman & Mulla, *Priority-flood: an optimal depression-filling and watershed-labeling algorithm for digital
-/// elevation models*, 2014, algorithm 1; the way down is that by which the flood came.
+/// Where water runs on a ground: the area above each point, and streams where it is large. Hollows are filled
+/// up to their lowest rim.
+/// Source: Barnes, Lehman & Mulla, *Priority-flood: an optimal depression-filling and watershed-labeling
+/// algorithm for digital elevation models*, 2014, algorithm 1; the way down is that by which the flood came.
 class Drainage
 {
 public:
@@ -30,8 +31,8 @@ public:
     /// The area that drains through the nearest point of the grid, km².
     double areaKm2(const glm::dvec2& place) const;
 
-    /// The courses on land where the area exceeds `leastKm2`, each from its beginning to the sea, the border or a larger one, in which
-    /// its last point lies too.
+    /// The courses on land where the area exceeds `leastKm2`, each from its beginning to the sea, the border
+    /// or a larger one, in which its last point lies too.
     std::vector<Stream> streams(double leastKm2) const;
 
 private:

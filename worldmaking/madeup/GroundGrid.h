@@ -13,7 +13,8 @@
 namespace worldmaking
 {
 
-/// Heights of the ground at the points of a square grid over a part of the plane, for those that make up a map. Units: metres.
+/// Heights of the ground at the points of a square grid over a part of the plane, for those that make up a
+/// map. Units: metres.
 class GroundGrid
 {
 public:
@@ -22,7 +23,8 @@ public:
     /// Makes what a thread of its own asks for heights.
     using HeightMaker = std::function<Height()>;
 
-    /// Asks for the height of each point, in many threads, each of what was made for it. Where there is none the grid has no ground.
+    /// Asks for the height of each point, in many threads, each of what was made for it. Where there is none
+    /// the grid has no ground.
     GroundGrid(const MapBox& box, double cellM, const HeightMaker& heights);
     GroundGrid(const MapBox& box, double cellM, const Height& height)
         : GroundGrid(box, cellM, HeightMaker([&height] { return height; }))
@@ -50,7 +52,8 @@ public:
     glm::dvec2 gradient(const glm::dvec2& place) const;
     double slope(const glm::dvec2& place) const { return glm::length(gradient(place)); }
 
-    /// Whether a place is ground above the sea. Where a hundredth of the ground or more lies at 0 or below, 0 is the sea's level.
+    /// Whether a place is ground above the sea. Where a hundredth of the ground or more lies at 0 or below, 0
+    /// is the sea's level.
     bool isLand(const glm::dvec2& place) const;
     bool hasSea() const { return _hasSea; }
 

@@ -12,7 +12,8 @@
 namespace worldmaking
 {
 
-/// Lays lakes into the most level ground by a stream: their shore leaves the ground at their middle by kMostShoreM at most.
+/// Lays lakes into the most level ground by a stream: their shore leaves the ground at their middle by
+/// kMostShoreM at most.
 /// `avoided`: where none is. Returns their outlines, at most `most`, kApartM from each other.
 std::vector<PlanRings> lakesOn(const GroundGrid& ground, const Drainage& drainage, std::uint64_t seed,
                                std::size_t most, const AreaSet& avoided);

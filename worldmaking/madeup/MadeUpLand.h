@@ -16,7 +16,8 @@
 namespace worldmaking
 {
 
-/// Makes up a map in the plane, stage after stage: each sees what those before it have taken. Frame: the plane. Units: metres.
+/// Makes up a map in the plane, stage after stage: each sees what those before it have taken. Frame: the
+/// plane. Units: metres.
 class MadeUpLand
 {
 public:

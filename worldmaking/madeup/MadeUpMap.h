@@ -51,9 +51,11 @@ struct MadeUpMap
     double treeLineM = 0.0; ///< above which no tree stands
 };
 
-/// Makes up a map over a ground: an airfield on the gentlest, lakes, a town, villages, hamlets and farms on gentle ground near water, roads
-/// between them on feasible grades, streets with houses, fields along the relief, hedges, orchards, woods on slopes and along streams.
-/// `ground` is asked in many threads at once. The same ground and seed give the same map. At most kLargestKm a side: of a larger ground the part with the most gentle land is filled.
+/// Makes up a map over a ground: an airfield on the gentlest, lakes, a town, villages, hamlets and farms on
+/// gentle ground near water, roads between them on feasible grades, streets with houses, fields along the
+/// relief, hedges, orchards, woods on slopes and along streams. `ground` is asked in many threads at once.
+/// The same ground and seed give the same map. At most kLargestKm a side: of a larger ground the part with
+/// the most gentle land is filled.
 /// Errors: bounds without ground; ground without a place for a road; PROJ. Cost: some 10 s for 600 km².
 foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeUpSettings& settings);
 

@@ -65,7 +65,8 @@ private:
         return kSmallestM2 + (kLargestM2 - kSmallestM2) * large;
     }
 
-    /// Large land is cut across, somewhat askew; small land along the contour lines where it slopes, else along its own sides.
+    /// Large land is cut across, somewhat askew; small land along the contour lines where it slopes, else
+    /// along its own sides.
     glm::dvec2 cutAlong(const scenery::PlanRectangle& box, double areaM2, Dice& dice) const
     {
         const double askew = dice.between(-kMostAskew, kMostAskew);

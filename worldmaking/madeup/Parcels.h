@@ -21,8 +21,9 @@ struct ParcelRules
     std::uint64_t seed = 1;
 };
 
-/// Parts land into fields: it is cut in two again and again, in the end along the contour lines where the ground slopes, until the parts
-/// have the size of fields; their corners are rounded. Those on too steep ground are left out; what is taken is cut away.
+/// Parts land into fields: it is cut in two again and again, in the end along the contour lines where the
+/// ground slopes, until the parts have the size of fields; their corners are rounded. Those on too steep
+/// ground are left out; what is taken is cut away.
 /// Invariant: no two fields overlap; none has a mean slope above kSteepestField.
 std::vector<PlanRings> parcelsOn(const ParcelRules& rules);
 

@@ -13,7 +13,8 @@ class OGRGeometry;
 namespace worldmaking
 {
 
-/// Areas of the plane that are joined, grown and cut out of each other. A value that cannot be changed. Units: metres.
+/// Areas of the plane that are joined, grown and cut out of each other. A value that cannot be changed.
+/// Units: metres.
 /// Source: GEOS, through OGR.
 class PlanArea
 {

@@ -26,8 +26,8 @@ std::string_view roadKindOf(const Settlement& a, const Settlement& b)
     return greater == SettlementKind::town ? "secondary" : "tertiary";
 }
 
-/// Lets an end of a path meet the web at a right angle, where it is near: what lies within kMeetM of the web gives way to a straight line
-/// to its nearest point.
+/// Lets an end of a path meet the web at a right angle, where it is near: what lies within kMeetM of the web
+/// gives way to a straight line to its nearest point.
 void meetWeb(std::vector<glm::dvec2>& path, const WayWeb& web)
 {
     if (path.size() < 2 || !web.nearest(path.back(), kFootReachM)) return;

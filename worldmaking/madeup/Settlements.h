@@ -47,9 +47,10 @@ struct SiteRules
     std::function<bool(const glm::dvec2&)> isReachable; ///< by a road from most of the ground
 };
 
-/// Chooses where people settle: on gentle ground with a stream or the shore near by, lower rather than higher, each kind a distance from
-/// the others. One town (on kTownKm2 of land and more), and villages and hamlets by the area of the land: four and five on 250 km².
-/// Fewer are found where there is too little gentle ground.
+/// Chooses where people settle: on gentle ground with a stream or the shore near by, lower rather than
+/// higher, each kind a distance from the others. One town (on kTownKm2 of land and more), and villages and
+/// hamlets by the area of the land: four and five on 250 km². Fewer are found where there is too little
+/// gentle ground.
 std::vector<Settlement> settlementsOn(const SiteRules& rules);
 
 inline constexpr double kTownKm2 = 6.0;

@@ -8,8 +8,9 @@
 namespace worldmaking
 {
 
-/// Turns the steps of a search on a grid into a course with wide bends: the cubic B-spline of points some 150 m apart, through both ends,
-/// as points kCourseStepM apart. Source: Farin, *Curves and surfaces for CAGD*, 2002, ch. 8.
+/// Turns the steps of a search on a grid into a course with wide bends: the cubic B-spline of points some 150
+/// m apart, through both ends, as points kCourseStepM apart. Source: Farin, *Curves and surfaces for CAGD*,
+/// 2002, ch. 8.
 std::vector<glm::dvec2> smoothPath(const std::vector<glm::dvec2>& steps);
 
 /// Rounds the corners of a course by the same spline over its own points, through both ends.

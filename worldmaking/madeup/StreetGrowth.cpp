@@ -116,7 +116,8 @@ private:
                            });
     }
 
-    /// Whether a street to `to` would come too near to another than its parent; beside the parent it grows away.
+    /// Whether a street to `to` would come too near to another than its parent; beside the parent it grows
+    /// away.
     bool isCrowded(const glm::dvec2& place, const Proposal& proposal, double alongM) const
     {
         const auto other =

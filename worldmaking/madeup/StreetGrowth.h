@@ -18,9 +18,11 @@ struct StreetRules
     std::uint64_t seed = 1;
 };
 
-/// Grows the streets of a settlement from the roads that lead through it: each street lets others branch off at right angles, which end
-/// where the settlement does, or on the next street. None comes near another but where they meet, or climbs more than kSteepestStreet.
-/// Source: Parish & Müller, *Procedural modeling of cities*, 2001, §3 (a queue of proposals that local constraints change or refuse).
+/// Grows the streets of a settlement from the roads that lead through it: each street lets others branch off
+/// at right angles, which end where the settlement does, or on the next street. None comes near another but
+/// where they meet, or climbs more than kSteepestStreet.
+/// Source: Parish & Müller, *Procedural modeling of cities*, 2001, §3 (a queue of proposals that local
+/// constraints change or refuse).
 void growStreets(const Settlement& settlement, int number, const StreetRules& rules, WayWeb& web);
 
 inline constexpr double kSteepestStreet = 0.11;

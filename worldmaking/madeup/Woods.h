@@ -23,8 +23,9 @@ struct WoodRules
     std::uint64_t seed = 1;
 };
 
-/// Lets woods stand where people leave them: on slopes, along streams, and in patches that noise chooses, below the tree line; as much of
-/// them as `share` says. Returns their outlines, none of which comes nearer than a cell of the search to what is taken.
+/// Lets woods stand where people leave them: on slopes, along streams, and in patches that noise chooses,
+/// below the tree line; as much of them as `share` says. Returns their outlines, none of which comes nearer
+/// than a cell of the search to what is taken.
 std::vector<PlanRings> woodsOn(const WoodRules& rules);
 
 inline constexpr double kWoodCellM = 16.0;

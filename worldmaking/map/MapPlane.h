@@ -20,7 +20,8 @@ namespace worldmaking
 /// Describes a transverse Mercator about the middle of a map.
 osgRoads::core::NetworkHeader planeAbout(const LandMap& map);
 
-/// The plane of a network: degrees east and north to metres of its inertial frame, and back. Threads: one at a time.
+/// The plane of a network: degrees east and north to metres of its inertial frame, and back. Threads: one at
+/// a time.
 class MapPlane
 {
 public:

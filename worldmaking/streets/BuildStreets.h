@@ -38,10 +38,11 @@ struct Streets
     StreetReport report;
 };
 
-/// Makes an OpenDRIVE network of the streets of a map on a ground: smooth centre lines, lanes by tags, crossings with a
-/// connecting road for each turn, bridges and tunnels where the map has them, heights within the grades of each class.
-/// Frame: transverse Mercator about the middle of the map (in the header as geoReference); heights as `ground` counts them.
-/// Ways of which a node lies beyond the ground are left out, and counted.
+/// Makes an OpenDRIVE network of the streets of a map on a ground: smooth centre lines, lanes by tags,
+/// crossings with a connecting road for each turn, bridges and tunnels where the map has them, heights within
+/// the grades of each class.
+/// Frame: transverse Mercator about the middle of the map (in the header as geoReference); heights as
+/// `ground` counts them. Ways of which a node lies beyond the ground are left out, and counted.
 /// Errors: nothing of the map lies on the ground; PROJ.
 /// Cost: about 1 s for 500 km. Same input, same bytes.
 foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEarth& ground,

@@ -11,8 +11,9 @@
 namespace worldmaking
 {
 
-/// The points of a street as a map has them, rounded: straight lines and arcs that touch them, with one heading everywhere.
-/// An arc leaves the map's points by kMostOffsetM at most, and takes at most half of each line beside it.
+/// The points of a street as a map has them, rounded: straight lines and arcs that touch them, with one
+/// heading everywhere. An arc leaves the map's points by kMostOffsetM at most, and takes at most half of each
+/// line beside it.
 /// Frame: a plan, x east, y north, metres.
 class CentreLine
 {

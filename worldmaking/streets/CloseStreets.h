@@ -9,7 +9,8 @@
 namespace worldmaking
 {
 
-/// A node, and the place beside it on another street, or on another stretch of its own, that should have its height.
+/// A node, and the place beside it on another street, or on another stretch of its own, that should have its
+/// height.
 struct StreetTie
 {
     std::size_t node = 0;              ///< number
@@ -18,8 +19,9 @@ struct StreetTie
     double weight = 0.0;               ///< that of a node's wish is 1
 };
 
-/// Finds where streets on the ground run so close to each other that the ground between them would be a wall: carriageways, service roads beside
-/// streets, mouths that leave a crossing side by side, the legs of hairpins. The closer, the greater the weight.
+/// Finds where streets on the ground run so close to each other that the ground between them would be a wall:
+/// carriageways, service roads beside streets, mouths that leave a crossing side by side, the legs of
+/// hairpins. The closer, the greater the weight.
 /// `halfWidthsM`: half of the paving of each row. Cost: near-linear in the number of nodes (a grid).
 std::vector<StreetTie> closeStreets(const HeightNodes& nodes, const std::vector<double>& halfWidthsM);
 

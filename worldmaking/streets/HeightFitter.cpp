@@ -77,7 +77,8 @@ public:
     std::vector<HeightStep> steps;
 
 private:
-    /// Holds the mouth of a road, and the node after it, in the plane of an area. `inwardM`: from the mouth along s to that node.
+    /// Holds the mouth of a road, and the node after it, in the plane of an area. `inwardM`: from the mouth
+    /// along s to that node.
     void tie(std::size_t area, const HeightRow& row, std::size_t mouth, double inwardM)
     {
         const CrossingPlane& plane = _planes[area];

@@ -34,10 +34,11 @@ struct FittedHeights
     std::size_t lostOverpasses = 0;    ///< without headroom: the map leaves no room for the rise
 };
 
-/// Finds the heights nearest to the wished ones that keep the grade of each street's class, hold the mouths of roads in the planes of their
-/// areas, and leave headroom at overpasses (scenery::fitHeights()). A plane leans as its arms do, by kMostLean at most.
-/// Where these contradict each other, planes lean less (short roads between planes that lean apart; level planes always fit), then
-/// overpasses are given up (a bridge too close to the crossing that it passes).
+/// Finds the heights nearest to the wished ones that keep the grade of each street's class, hold the mouths
+/// of roads in the planes of their areas, and leave headroom at overpasses (scenery::fitHeights()). A plane
+/// leans as its arms do, by kMostLean at most. Where these contradict each other, planes lean less (short
+/// roads between planes that lean apart; level planes always fit), then overpasses are given up (a bridge too
+/// close to the crossing that it passes).
 /// `wishesM`: of each node.
 FittedHeights fitToLimits(const StreetGraph& graph, const HeightNodes& nodes,
                           const std::vector<double>& wishesM, std::vector<OverpassNodes> overpasses);

@@ -16,7 +16,8 @@
 namespace worldmaking
 {
 
-/// The places of one road at which its height is looked for: evenly spaced along it, the first and the last at its mouths.
+/// The places of one road at which its height is looked for: evenly spaced along it, the first and the last
+/// at its mouths.
 /// Units: metres, metres per metre.
 struct HeightRow
 {

@@ -9,8 +9,8 @@ namespace worldmaking
 {
 
 /// Tells by how much steps let one node rise above another.
-/// Source: Johnson, *Efficient algorithms for shortest paths in sparse networks*, 1977: heights that keep all steps make every
-/// length at least 0, so Dijkstra's method serves.
+/// Source: Johnson, *Efficient algorithms for shortest paths in sparse networks*, 1977: heights that keep all
+/// steps make every length at least 0, so Dijkstra's method serves.
 class HeightRoom
 {
 public:

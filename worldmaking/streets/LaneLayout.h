@@ -42,7 +42,8 @@ struct LayoutPart
     LaneLayout layout;
 };
 
-/// The lanes of a road: where the layout changes, lanes become wider and narrower along a taper, begin with no width and end so.
+/// The lanes of a road: where the layout changes, lanes become wider and narrower along a taper, begin with
+/// no width and end so.
 struct RoadLanes
 {
     std::vector<osgRoads::core::LaneSection> sections;

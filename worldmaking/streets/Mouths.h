@@ -15,9 +15,11 @@ struct ChainCut
     double startM = 0.0, endM = 0.0;
 };
 
-/// Finds where each chain's road begins and ends: where its paving has come clear of that of the other arms, with room for
-/// the bends of turning traffic. At least a fifth of a chain, and kLeastRoadM of it, is left to the road.
-/// `lines`: of the chains. Source: ours; the distance at which the borders of two strips meet, by plane geometry.
+/// Finds where each chain's road begins and ends: where its paving has come clear of that of the other arms,
+/// with room for the bends of turning traffic. At least a fifth of a chain, and kLeastRoadM of it, is left to
+/// the road.
+/// `lines`: of the chains. Source: ours; the distance at which the borders of two strips meet, by plane
+/// geometry.
 std::vector<ChainCut> mouthsOf(const StreetGraph& graph, const std::vector<CentreLine>& lines);
 
 inline constexpr double kLeastRoadM = 1.0;

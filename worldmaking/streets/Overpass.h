@@ -24,7 +24,8 @@ struct Overpasses
     std::size_t untold = 0;
 };
 
-/// Finds where pieces of streets cross in the plan without a point in common: a bridge is above the ground, and that above a tunnel.
+/// Finds where pieces of streets cross in the plan without a point in common: a bridge is above the ground,
+/// and that above a tunnel.
 /// `places`: of the map's nodes. Cost: near-linear in the number of pieces (a grid).
 Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>& places,
                         const std::vector<CentreLine>& lines);

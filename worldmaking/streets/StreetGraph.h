@@ -54,8 +54,9 @@ struct StreetGraph
     }
 };
 
-/// Parts the streets of a map into chains. `places`: of the map's nodes in a plan, metres. Chains between two crossings that
-/// are shorter than `shortestM` vanish, and their crossings become one. A piece that two ways share counts once.
+/// Parts the streets of a map into chains. `places`: of the map's nodes in a plan, metres. Chains between two
+/// crossings that are shorter than `shortestM` vanish, and their crossings become one. A piece that two ways
+/// share counts once.
 StreetGraph graphOf(const StreetMap& map, const std::vector<glm::dvec2>& places, double shortestM);
 
 } // namespace worldmaking

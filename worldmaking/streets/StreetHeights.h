@@ -18,9 +18,11 @@ struct StreetHeights
     std::size_t lostOverpasses = 0;      ///< without headroom: the map leaves no room for the rise
 };
 
-/// Finds the heights of all streets over a ground: close to it where they lie on it, through hills in tunnels and over valleys on
-/// bridges, within the grades of their classes, with headroom where one passes over another.
-/// Method: smoothGround() gives the wished heights, fitToLimits() those nearest to them that keep the limits, profileOf() the curves.
+/// Finds the heights of all streets over a ground: close to it where they lie on it, through hills in tunnels
+/// and over valleys on bridges, within the grades of their classes, with headroom where one passes over
+/// another.
+/// Method: smoothGround() gives the wished heights, fitToLimits() those nearest to them that keep the limits,
+/// profileOf() the curves.
 StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>& lines,
                         const std::vector<ChainCut>& cuts, const std::vector<Overpass>& overpasses,
                         const GroundHeight& ground);

@@ -18,8 +18,8 @@
 namespace worldmaking
 {
 
-/// Puts the parts of streets together to the roads and junctions of a network. The road of chain i has the id i; junctions and
-/// connecting roads have ids after them.
+/// Puts the parts of streets together to the roads and junctions of a network. The road of chain i has the id
+/// i; junctions and connecting roads have ids after them.
 class StreetNetwork
 {
 public:

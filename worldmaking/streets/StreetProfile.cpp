@@ -28,7 +28,8 @@ void smooth(std::vector<double>& heights)
     }
 }
 
-/// Sets the coefficient at an end, and returns that beyond it, such that the spline has the plane's height and grade there.
+/// Sets the coefficient at an end, and returns that beyond it, such that the spline has the plane's height
+/// and grade there.
 /// `next`: the coefficient beside it. `grade`: of the plane, away from the road's inside.
 double holdEnd(double& end, double next, double heightM, double outwardRiseM)
 {

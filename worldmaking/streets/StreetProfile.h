@@ -36,8 +36,8 @@ struct CrossingPlane
     }
 };
 
-/// The heights of a road: that of its reference line, and how it leans into the planes of the crossings at its ends.
-/// s counts from where the road begins.
+/// The heights of a road: that of its reference line, and how it leans into the planes of the crossings at
+/// its ends. s counts from where the road begins.
 struct StreetProfile
 {
     osgRoads::core::CubicProfile elevation, superelevationRad;
@@ -50,8 +50,9 @@ struct EndPlanes
     const CrossingPlane* end = nullptr;
 };
 
-/// Makes the profile of a road from the heights of its nodes: the pieces of a uniform cubic B-spline, nowhere steeper than from node to
-/// node. At its ends it has exactly the height, the grade and the lean of the planes, and comes upright over 25 m.
+/// Makes the profile of a road from the heights of its nodes: the pieces of a uniform cubic B-spline, nowhere
+/// steeper than from node to node. At its ends it has exactly the height, the grade and the lean of the
+/// planes, and comes upright over 25 m.
 /// Source: Farin, *Curves and Surfaces for CAGD*, 2002, chapter 8.
 StreetProfile profileOf(const HeightRow& row, std::vector<double> heightsM, const EndPlanes& planes);
 

@@ -40,10 +40,11 @@ struct StreetTraits
     bool hasSameLanes(const StreetTraits& other) const;
 };
 
-/// Returns the traits of a way; nothing for one that cars cannot or must not use (footpaths, tracks, closed and planned roads).
-/// Numbers that a tag lacks or has wrong are those of its class.
-/// Sources: the OpenStreetMap wiki, *Key:highway*, *Key:lanes*, *Key:oneway*; lane widths and grades after RAL 2012 (Germany) and
-/// TxDOT, *Roadway Design Manual*, 2022, 2-3 (local roads in rolling and mountainous country).
+/// Returns the traits of a way; nothing for one that cars cannot or must not use (footpaths, tracks, closed
+/// and planned roads). Numbers that a tag lacks or has wrong are those of its class.
+/// Sources: the OpenStreetMap wiki, *Key:highway*, *Key:lanes*, *Key:oneway*; lane widths and grades after
+/// RAL 2012 (Germany) and TxDOT, *Roadway Design Manual*, 2022, 2-3 (local roads in rolling and mountainous
+/// country).
 std::optional<StreetTraits> traitsOf(const Tags& tags);
 
 } // namespace worldmaking

@@ -21,8 +21,9 @@ struct Turn
     int fromLane = 0, toLane = 0;
 };
 
-/// Chooses which lanes lead where: straight on lane by lane, to the left from the innermost lane to the innermost, to the right
-/// from the outermost to the outermost; every lane that comes in leads somewhere if any exit is allowed. Nobody turns round.
+/// Chooses which lanes lead where: straight on lane by lane, to the left from the innermost lane to the
+/// innermost, to the right from the outermost to the outermost; every lane that comes in leads somewhere if
+/// any exit is allowed. Nobody turns round.
 /// `isAllowed`: for each pair of arms, fromArm · arms + toArm.
 std::vector<Turn> turnsOf(const std::vector<ArmLanes>& arms, const std::vector<char>& isAllowed);
 

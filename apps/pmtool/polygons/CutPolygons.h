@@ -43,8 +43,9 @@ struct CutMesh
     CutCounts counts;
 };
 
-/// Cuts every polygon of a set by tessellate(), decomposeConvex(), meshQuad() and meshUniformly(), as the settings say.
-/// `file` stands in messages. Errors: those of these functions; the polygon's location is named.
+/// Cuts every polygon of a set by tessellate(), decomposeConvex(), meshQuad() and meshUniformly(), as the
+/// settings say. `file` stands in messages. Errors: those of these functions; the polygon's location is
+/// named.
 foundation::Result<CutMesh> cutPolygons(const PolygonSet& set, const CutSettings& settings,
                                         const std::string& file);
 

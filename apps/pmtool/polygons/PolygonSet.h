@@ -20,7 +20,8 @@ struct Polygon
 };
 
 /// All polygons of a file. A vertex is a position with a texture coordinate.
-/// Invariant: coordinates are finite, corners are below the number of positions, each contour has at least 3 corners.
+/// Invariant: coordinates are finite, corners are below the number of positions, each contour has at least 3
+/// corners.
 struct PolygonSet
 {
     std::vector<glm::dvec3> positions; ///< by vertex; frame and units of the file

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// terraintool-mpi: builds a multi-triangulation over the ranks of MPI, each a process on any host that sees the folder of the output.
+// terraintool-mpi: builds a multi-triangulation over the ranks of MPI, each a process on any host that sees
+// the folder of the output.
 #include <foundation/WholeFile.h>
 #include <mpi.h>
 

@@ -31,7 +31,8 @@ double processorOfThreadUs()
     return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// How often this thread has given up the processor to wait for something, and how often it lost it to others.
+/// How often this thread has given up the processor to wait for something, and how often it lost it to
+/// others.
 struct Switches
 {
     long waits = 0, losses = 0;

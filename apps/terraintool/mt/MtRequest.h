@@ -43,14 +43,16 @@ struct MtFlyRequest
     int widthPx = 1280; ///< of the picture, which is 60 degrees wide
 };
 
-/// Flies over a .mt file in real time, 60 frames a second, without drawing: measures how long frames wait, and checks surfaces for holes.
+/// Flies over a .mt file in real time, 60 frames a second, without drawing: measures how long frames wait,
+/// and checks surfaces for holes.
 foundation::Result<terminal::Report> flyMt(const MtFlyRequest& request);
 
-/// Builds a split multi-triangulation from elevation rasters, from files of points (.csv, .xyz, .txt), or from a file of triangles (.obj, .ply,
-/// .terrain).
+/// Builds a split multi-triangulation from elevation rasters, from files of points (.csv, .xyz, .txt), or
+/// from a file of triangles (.obj, .ply, .terrain).
 foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request);
 
-/// The same within request.memoryMb of memory: the surface is read in streams, and built from files beside the output.
+/// The same within request.memoryMb of memory: the surface is read in streams, and built from files beside
+/// the output.
 foundation::Result<terminal::Report> buildMtWithin(const MtBuildRequest& request);
 
 /// Cuts a build into jobs, in the folder request.output, and prints which of them may be done at once.
@@ -68,7 +70,8 @@ foundation::Result<terminal::Report> joinMt(const MtJobRequest& request);
 /// Whether a file has points as text: .csv, .xyz, .txt.
 bool isPointFile(const std::filesystem::path& file);
 
-/// Tells inputs of different kinds, more than one file of triangles, and what is wrong with their heads, before any is read.
+/// Tells inputs of different kinds, more than one file of triangles, and what is wrong with their heads,
+/// before any is read.
 foundation::Outcome checkInputs(const MtBuildRequest& request);
 
 /// Tells by how much places have been moved, where that is more than a thousandth of a step.

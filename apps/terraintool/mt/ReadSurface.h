@@ -28,7 +28,8 @@ struct SpooledSurface
     osgMultiTriangulation::core::PlanFrame frame;
 };
 
-/// Reads the inputs into files in a folder that is there: in streams where request.memoryMb is a limit, at once where it is 0.
+/// Reads the inputs into files in a folder that is there: in streams where request.memoryMb is a limit, at
+/// once where it is 0.
 foundation::Result<SpooledSurface> spoolSurface(const MtBuildRequest& request,
                                                 const std::filesystem::path& folder);
 

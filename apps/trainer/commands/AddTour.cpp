@@ -27,7 +27,8 @@ struct TourLine
     WorldChoice world;
 };
 
-/// Whether a world can be shown: its roads and waters lie between the samples of the raster, which not every method takes.
+/// Whether a world can be shown: its roads and waters lie between the samples of the raster, which not every
+/// method takes.
 bool takesWorld(const PlayRequest& request)
 {
     using namespace osgTerrainROAM::core;

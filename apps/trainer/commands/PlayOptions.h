@@ -18,14 +18,16 @@ class Option;
 namespace trainer
 {
 
-/// The options of every command that shows pictures, as they stand in the command line. It must live as long as the command.
+/// The options of every command that shows pictures, as they stand in the command line. It must live as long
+/// as the command.
 class PlayOptions
 {
 public:
     void addTo(CLI::App& command);
 
     /// Writes into the request what the options' words mean; after the line is read.
-    /// Errors: --size that is no size, --eye-at without --eye free, an eye too high, an unknown --backend or --patch-exponent.
+    /// Errors: --size that is no size, --eye-at without --eye free, an eye too high, an unknown --backend or
+    /// --patch-exponent.
     foundation::Outcome complete();
 
     /// Returns what runs the command: complete(), checkBeforePlay(), then `work`.

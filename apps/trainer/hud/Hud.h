@@ -12,7 +12,8 @@
 namespace trainer
 {
 
-/// The head-up display: gauges in a row along the lower edge of the picture, each a number and a pointer on a scale.
+/// The head-up display: gauges in a row along the lower edge of the picture, each a number and a pointer on a
+/// scale.
 /// Frame: pixels from the lower left corner. Threads: the update phase.
 class Hud
 {

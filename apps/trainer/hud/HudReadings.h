@@ -16,8 +16,8 @@ struct HudLayout
     std::vector<GaugeKind> gauges;
 };
 
-/// The gauges for a vehicle: of an aircraft airspeed, altitude, heading, vertical speed, engine and flaps; of a road vehicle speed, engine and gear;
-/// of any other its speed.
+/// The gauges for a vehicle: of an aircraft airspeed, altitude, heading, vertical speed, engine and flaps; of
+/// a road vehicle speed, engine and gear; of any other its speed.
 HudLayout hudLayoutOf(const simulation::DynamicVehicle& vehicle, HudUnits units = HudUnits::usual);
 
 /// The values of hudLayoutOf()'s gauges now, in their order and units.

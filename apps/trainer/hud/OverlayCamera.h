@@ -7,7 +7,8 @@
 namespace trainer
 {
 
-/// A camera for things drawn over the picture in pixels from the lower left corner. `order`: higher ones draw later.
+/// A camera for things drawn over the picture in pixels from the lower left corner. `order`: higher ones draw
+/// later.
 osg::ref_ptr<osg::Camera> makeOverlayCamera(int order);
 
 /// Gives such a camera the size of the picture. Units: pixels.

@@ -13,7 +13,8 @@
 namespace trainer
 {
 
-/// Text over the picture of a window: a message, the help, statistics. It draws after everything else, in pixels from the lower left corner.
+/// Text over the picture of a window: a message, the help, statistics. It draws after everything else, in
+/// pixels from the lower left corner.
 /// Threads: the update phase.
 class TextOverlay
 {

@@ -36,15 +36,16 @@ struct DeviceMap
     std::vector<DeviceButton> buttons;
 };
 
-/// The value of an input for the place of an axis, -1 … 1. The rest is the middle of an input that goes both ways, and the lower end of
-/// any other (a pedal, a lever). Units: of the input, `least` … `most`.
+/// The value of an input for the place of an axis, -1 … 1. The rest is the middle of an input that goes both
+/// ways, and the lower end of any other (a pedal, a lever). Units: of the input, `least` … `most`.
 double inputOf(const DeviceAxis& axis, double place, double least, double most);
 
 /// The first map that fits a device's name; null: none.
 const DeviceMap* mapFor(const std::vector<DeviceMap>& maps, std::string_view name);
 
 /// Reads a devices file (docs/reference/devices-file.md). `name` stands for the file in errors.
-/// Errors, with the line: no or another first line, an unknown word, key or number, an axis before any device, more than 10 000 lines.
+/// Errors, with the line: no or another first line, an unknown word, key or number, an axis before any
+/// device, more than 10 000 lines.
 foundation::Result<std::vector<DeviceMap>> parseDevices(std::string_view text, const std::string& name);
 
 /// Errors: besides those a file that cannot be read or is larger than 1 MiB.

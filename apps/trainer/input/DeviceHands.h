@@ -13,8 +13,8 @@
 namespace trainer
 {
 
-/// Moves hands by devices: an axis that has moved since the last look puts its input, a button does what its key does. An axis that
-/// rests takes nothing from the keys. Threads: one.
+/// Moves hands by devices: an axis that has moved since the last look puts its input, a button does what its
+/// key does. An axis that rests takes nothing from the keys. Threads: one.
 class DeviceHands
 {
 public:

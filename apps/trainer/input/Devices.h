@@ -16,7 +16,8 @@ struct DeviceState
     std::vector<bool> isPressed; ///< of the buttons
 };
 
-/// The devices at this machine, by SDL; they come and go. Without SDL in the build there are none. Threads: one.
+/// The devices at this machine, by SDL; they come and go. Without SDL in the build there are none. Threads:
+/// one.
 class Devices
 {
 public:

@@ -50,7 +50,8 @@ double KeyHand::trimDirection(double elevator, double nextS)
     return std::abs(_elevator) < kTrimmed ? 0.0 : std::copysign(1.0, _elevator);
 }
 
-/// The wish and what it is owed where an input springs back: pushes are steps, so that it is right in the mean alone.
+/// The wish and what it is owed where an input springs back: pushes are steps, so that it is right in the
+/// mean alone.
 double KeyHand::owing(const simulation::HandAxis& axis, double wish, double value, double nextS)
 {
     if (axis.returnPerSecond <= 0.0) return wish;

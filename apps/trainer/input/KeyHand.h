@@ -19,16 +19,18 @@ struct KeyStroke
     bool isDown = false;
 };
 
-/// A test aid: a person who sees what an autopilot or driver would do and presses the keys of the table that lead there. A key knows no half,
-/// so each moment it takes for every input the one of "up", "down" and "let go" after which the input is nearest to the wish. It trims the
-/// elevator away like a pilot. Determinism: by its calls alone. Threads: one.
+/// A test aid: a person who sees what an autopilot or driver would do and presses the keys of the table that
+/// lead there. A key knows no half, so each moment it takes for every input the one of "up", "down" and "let
+/// go" after which the input is nearest to the wish. It trims the elevator away like a pilot. Determinism: by
+/// its calls alone. Threads: one.
 class KeyHand
 {
 public:
     /// `vehicle`: flight or drive.
     explicit KeyHand(KeyScope vehicle) : _vehicle(vehicle) {}
 
-    /// What it does now. `wishes`: in the order of `names`, those of the vehicle's inputs; empty: it waits. `nextS`: until the next moment.
+    /// What it does now. `wishes`: in the order of `names`, those of the vehicle's inputs; empty: it waits.
+    /// `nextS`: until the next moment.
     std::vector<KeyStroke> decide(const simulation::Hands& hands, std::span<const double> wishes,
                                   std::span<const std::string_view> names, double nextS);
 

@@ -28,9 +28,9 @@ struct WindowEvent
     int widthPx = 0, heightPx = 0;
 };
 
-/// Reads a key script (docs/reference/key-script.md), a test aid: keys at times, as if somebody pressed them. Events come in the order of
-/// time. `name` stands for the file in errors.
-/// Errors, with the line: no or another first line, an unknown word or key, a time that is none or before the line above, a wrong number
+/// Reads a key script (docs/reference/key-script.md), a test aid: keys at times, as if somebody pressed them.
+/// Events come in the order of time. `name` stands for the file in errors. Errors, with the line: no or
+/// another first line, an unknown word or key, a time that is none or before the line above, a wrong number
 /// of cells, more than 100 000 lines.
 foundation::Result<std::vector<WindowEvent>> parseKeyScript(std::string_view text, const std::string& name);
 

@@ -61,13 +61,15 @@ struct KeyBinding
 /// Every key. No key stands twice in what one vehicle sees.
 std::span<const KeyBinding> keyTable();
 
-/// Whether a deed lasts while its key is held: its amount is then the sum of what is held, and 0 when nothing is.
+/// Whether a deed lasts while its key is held: its amount is then the sum of what is held, and 0 when nothing
+/// is.
 constexpr bool isHeld(KeyDeed deed)
 {
     return deed == KeyDeed::hold || (deed >= KeyDeed::glance && deed <= KeyDeed::leanUp);
 }
 
-/// Whether a binding is there for a vehicle of the kind `vehicle` (ride stands for none: then scope all alone counts).
+/// Whether a binding is there for a vehicle of the kind `vehicle` (ride stands for none: then scope all alone
+/// counts).
 bool isFor(const KeyBinding& binding, KeyScope vehicle);
 
 /// The views in the order of their keys, by the names of --eye.

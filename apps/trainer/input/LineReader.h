@@ -19,7 +19,8 @@ struct TextLine
     std::string place;                   ///< file:line
 };
 
-/// Gives every line that is not empty to `take`, after it has seen `first` as the first of them. Ends with the first error.
+/// Gives every line that is not empty to `take`, after it has seen `first` as the first of them. Ends with
+/// the first error.
 /// Errors: another first line, no line, those of `take`.
 foundation::Outcome readLines(std::string_view text, const std::string& name, std::string_view first,
                               const std::function<foundation::Outcome(const TextLine&)>& take);

@@ -15,7 +15,8 @@ class KeyTarget
 public:
     virtual ~KeyTarget() = default;
 
-    /// Held keys push an input of the vehicle: up (1), down (-1), or not (0). "brakes" stands for both brakes.
+    /// Held keys push an input of the vehicle: up (1), down (-1), or not (0). "brakes" stands for both
+    /// brakes.
     virtual void holdInput(std::string_view input, double direction) = 0;
     virtual void addToInput(std::string_view input, double amount) = 0;
     virtual void flipInput(std::string_view input) = 0;
@@ -24,7 +25,8 @@ public:
     virtual void act(KeyDeed deed, double amount) = 0;
 };
 
-/// Turns keys that go down and up into deeds, by the table. A key that repeats is held, not pressed again. Threads: one.
+/// Turns keys that go down and up into deeds, by the table. A key that repeats is held, not pressed again.
+/// Threads: one.
 class SeatKeys
 {
 public:

@@ -9,8 +9,8 @@
 namespace trainer
 {
 
-/// Plays what is heard through OpenAL's usual device, from a thread of its own: pictures that take long do not interrupt it. Threads: all calls
-/// from one.
+/// Plays what is heard through OpenAL's usual device, from a thread of its own: pictures that take long do
+/// not interrupt it. Threads: all calls from one.
 class Loudspeaker
 {
 public:

@@ -12,8 +12,8 @@
 namespace trainer
 {
 
-/// What somebody in an entity of a play hears. It remembers what was before: whether wheels touched. Determinism: the same calls give the
-/// same states. Threads: one.
+/// What somebody in an entity of a play hears. It remembers what was before: whether wheels touched.
+/// Determinism: the same calls give the same states. Threads: one.
 class SceneSound
 {
 public:

@@ -9,7 +9,8 @@
 namespace trainer
 {
 
-/// Writes what is heard in a play, picture by picture: their times together are as long as the sound. Deterministic. Threads: one.
+/// Writes what is heard in a play, picture by picture: their times together are as long as the sound.
+/// Deterministic. Threads: one.
 class SoundTrack
 {
 public:
@@ -17,7 +18,8 @@ public:
     SoundTrack(const SoundRequest& request, const simulation::Scenario& scenario, std::size_t listener,
                int picturesPerSecond);
 
-    /// The time of one picture, which ends with this state. `motion`: what moves the listener; null: the player.
+    /// The time of one picture, which ends with this state. `motion`: what moves the listener; null: the
+    /// player.
     /// Errors: those of WaveFile.
     foundation::Outcome add(const std::vector<simulation::EntityState>& entities,
                             const simulation::ExternalMotion* motion);

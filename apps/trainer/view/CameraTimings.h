@@ -7,7 +7,8 @@ namespace trainer
 {
 
 /// The time of the traversals of all cameras of a view in one frame, summed. Units: milliseconds.
-/// The draw traversal hands work to OpenGL; a software rasteriser does much of it later, when the image is read back.
+/// The draw traversal hands work to OpenGL; a software rasteriser does much of it later, when the image is
+/// read back.
 struct CameraTimings
 {
     double cullMs = 0.0;

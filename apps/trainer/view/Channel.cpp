@@ -48,7 +48,8 @@ ViewSetup singleChannel(int widthPx, int heightPx, double verticalDeg)
 
 scenery::Pose channelEye(const Channel& channel, const scenery::Pose& eye)
 {
-    // To the right is negative about z (up), upwards negative about y (left), right side down positive about x.
+    // To the right is negative about z (up), upwards negative about y (left), right side down positive about
+    // x.
     const double cy = std::cos(foundation::radiansOf(-channel.yawDeg));
     const double sy = std::sin(foundation::radiansOf(-channel.yawDeg));
     const double cp = std::cos(foundation::radiansOf(-channel.pitchDeg));

@@ -11,8 +11,9 @@
 namespace trainer
 {
 
-/// The field of view of a channel as angles from its viewing direction; off-axis when not symmetric. Units: degrees;
-/// left and bottom are usually negative. Invariant: −89 ≤ left < right ≤ 89, likewise bottom and top.
+/// The field of view of a channel as angles from its viewing direction; off-axis when not symmetric. Units:
+/// degrees; left and bottom are usually negative. Invariant: −89 ≤ left < right ≤ 89, likewise bottom and
+/// top.
 struct FrustumAngles
 {
     double leftDeg = 0.0;
@@ -22,9 +23,9 @@ struct FrustumAngles
 };
 
 /// One image of the surroundings: a projector, a screen, a window pane.
-/// Frame: relative to the eye point with x forward, y left, z up. The channel looks along x turned by yaw (positive
-/// to the right), then pitch (positive up), then roll (positive right side down), as in the Common Image Generator
-/// Interface (CIGI). Units: degrees, metres, pixels.
+/// Frame: relative to the eye point with x forward, y left, z up. The channel looks along x turned by yaw
+/// (positive to the right), then pitch (positive up), then roll (positive right side down), as in the Common
+/// Image Generator Interface (CIGI). Units: degrees, metres, pixels.
 struct Channel
 {
     std::string name;

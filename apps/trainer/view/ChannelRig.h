@@ -12,14 +12,15 @@
 namespace trainer
 {
 
-/// The cameras of all channels as slaves of a viewer. They share the eye point and so one terrain mesh. The master
-/// camera draws nothing; it has the view matrix of the eye and the projection of the first channel. Near and far
-/// planes are fixed by the setup, so an image does not depend on what else is visible.
+/// The cameras of all channels as slaves of a viewer. They share the eye point and so one terrain mesh. The
+/// master camera draws nothing; it has the view matrix of the eye and the projection of the first channel.
+/// Near and far planes are fixed by the setup, so an image does not depend on what else is visible.
 /// Threads: the update phase of the viewer.
 class ChannelRig
 {
 public:
-    /// `contexts`: one for each of picturesOf(setup), of that size, in that order. Precondition: their number.
+    /// `contexts`: one for each of picturesOf(setup), of that size, in that order. Precondition: their
+    /// number.
     ChannelRig(osgViewer::View& view, ViewSetup setup,
                const std::vector<osg::ref_ptr<osg::GraphicsContext>>& contexts);
 
@@ -29,7 +30,8 @@ public:
     /// Takes other sizes, frustums, near and far planes of the same channels, for a window that has changed.
     void reshape(ViewSetup setup);
 
-    /// Draws a share of the pixels along each side, above 0 and at most 1; EnlargedPicture spreads them over the whole picture.
+    /// Draws a share of the pixels along each side, above 0 and at most 1; EnlargedPicture spreads them over
+    /// the whole picture.
     void setDrawnSide(double share);
 
     const ViewSetup& setup() const { return _setup; }

@@ -24,7 +24,8 @@ struct ChaseSettings
     static ChaseSettings forCar() { return {}; }
     static ChaseSettings forAircraft() { return {26.0, 6.5, 1.6, 4.0, 0.9, 6.0, 2.0}; }
 
-    /// Behind a vehicle and what it tows: `behindM`: how far they reach behind the vehicle's origin, `heightM`: how high.
+    /// Behind a vehicle and what it tows: `behindM`: how far they reach behind the vehicle's origin,
+    /// `heightM`: how high.
     static ChaseSettings forTrain(double behindM, double heightM)
     {
         ChaseSettings settings;
@@ -33,8 +34,8 @@ struct ChaseSettings
         return settings;
     }
 
-    /// An eye high above a car, behind it: it looks down on the road ahead, as far as the car stays in the picture. From 30 m it
-    /// looks down by 26°, from 300 m by 55°.
+    /// An eye high above a car, behind it: it looks down on the road ahead, as far as the car stays in the
+    /// picture. From 30 m it looks down by 26°, from 300 m by 55°.
     static ChaseSettings above(double heightM)
     {
         const double behindM = std::max(0.5 * heightM, std::min(1.2 * heightM, 36.0));
@@ -47,9 +48,9 @@ struct ChaseSettings
         0.244; ///< 14°: of 20° from the middle of the usual picture to its edge
 };
 
-/// A camera behind and above a body. It follows the course of the body with a first-order lag (exact for any step, so
-/// the same at any frame rate up to rounding), keeps its horizon level and does not follow rolls. Where ground would
-/// hide the body it rises at once, and comes down slowly.
+/// A camera behind and above a body. It follows the course of the body with a first-order lag (exact for any
+/// step, so the same at any frame rate up to rounding), keeps its horizon level and does not follow rolls.
+/// Where ground would hide the body it rises at once, and comes down slowly.
 /// Invariant: after each update the camera is at least clearanceM above the ground, where there is ground.
 /// Frame: world. Deterministic: depends on the updates only. Threads: one.
 class ChaseCamera
@@ -57,8 +58,8 @@ class ChaseCamera
 public:
     explicit ChaseCamera(const ChaseSettings& settings) : _settings(settings) {}
 
-    /// Returns the camera pose `dtS` after the last one; the first update starts behind the body. `ground` may be
-    /// empty.
+    /// Returns the camera pose `dtS` after the last one; the first update starts behind the body. `ground`
+    /// may be empty.
     scenery::Pose update(const scenery::Pose& body, double dtS, const simulation::GroundProvider& ground);
 
 private:

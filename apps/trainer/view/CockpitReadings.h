@@ -20,9 +20,10 @@ struct CockpitState
     double altimeterHpa = 1013.25;                       ///< to which the altimeter is set
 };
 
-/// What the instruments show. From the vehicle's physics where there is one. One that only moves has what follows from its motion: speeds, height,
-/// attitude, a coordinated turn, gears as a car has them; its engine turns as usual there, and its tanks are three quarters full, as are
-/// those of all road vehicles. The ball tells of the forces of the air alone. Pure.
+/// What the instruments show. From the vehicle's physics where there is one. One that only moves has what
+/// follows from its motion: speeds, height, attitude, a coordinated turn, gears as a car has them; its engine
+/// turns as usual there, and its tanks are three quarters full, as are those of all road vehicles. The ball
+/// tells of the forces of the air alone. Pure.
 scenery::models::Readings cockpitReadings(const CockpitState& state);
 
 } // namespace trainer

@@ -16,10 +16,11 @@ struct PicturePlace
     int widthPx = 1, heightPx = 1;
 };
 
-/// Draws fewer pixels than are shown: the scene is drawn into the lower left part of the picture's place, and that part is spread over all
-/// of the place, with bilinear weights, before what is drawn over it (hud). Samples of a pixel are resolved first.
-/// Threads: the update phase of the viewer; the copy is made in draw. Errors: none; where a texture cannot be drawn into, the part stays
-/// as it is.
+/// Draws fewer pixels than are shown: the scene is drawn into the lower left part of the picture's place, and
+/// that part is spread over all of the place, with bilinear weights, before what is drawn over it (hud).
+/// Samples of a pixel are resolved first.
+/// Threads: the update phase of the viewer; the copy is made in draw. Errors: none; where a texture cannot be
+/// drawn into, the part stays as it is.
 class EnlargedPicture
 {
 public:

@@ -23,7 +23,8 @@ struct ObjectFigures
     osgPMObjects::core::SelectionStatistics selection; ///< by method
 };
 
-/// The figures of one frame. Times and memory are measurements; the others follow from scenario and view only.
+/// The figures of one frame. Times and memory are measurements; the others follow from scenario and view
+/// only.
 /// Units: as the names say; microseconds and milliseconds of one thread, but wallMs and processorMs.
 struct FrameStatistics
 {
@@ -52,13 +53,14 @@ struct StatisticsColumn
     bool isMeasured; ///< depends on the machine
 };
 
-/// Returns all columns except `frame` and `timeS` in the order of the file; those of objects only when a frame has
-/// objects.
+/// Returns all columns except `frame` and `timeS` in the order of the file; those of objects only when a
+/// frame has objects.
 const std::vector<StatisticsColumn>& statisticsColumns(const std::vector<FrameStatistics>& frames);
 
-/// The summary of one column. Median: the middle value or the mean of the two middle values. p99: the smallest value
-/// that at least 99 % of the frames do not exceed (nearest rank). All 0 without frames.
-/// The first frame builds meshes and compiles shaders: of several frames it stands apart, and the others are summed up.
+/// The summary of one column. Median: the middle value or the mean of the two middle values. p99: the
+/// smallest value that at least 99 % of the frames do not exceed (nearest rank). All 0 without frames.
+/// The first frame builds meshes and compiles shaders: of several frames it stands apart, and the others are
+/// summed up.
 struct ColumnSummary
 {
     double median = 0.0;

@@ -23,8 +23,8 @@ struct ReportContent
     std::string video;        ///< likewise, as its <video>
 };
 
-/// Makes one HTML page that needs no network: facts, images, a table of medians and 99th percentiles, and plots of
-/// triangles, changes, adaptation time and error over the simulated time.
+/// Makes one HTML page that needs no network: facts, images, a table of medians and 99th percentiles, and
+/// plots of triangles, changes, adaptation time and error over the simulated time.
 std::string reportHtml(const ReportContent& content, const std::vector<FrameStatistics>& frames);
 
 /// Errors: the file cannot be written; no partial file remains.

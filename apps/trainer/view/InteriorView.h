@@ -21,9 +21,10 @@ enum class MirrorPace
     one, ///< of those in sight, in turn, where pictures take long
 };
 
-/// The inside of the vehicle that the eye is in, drawn into the picture of one channel by a camera of its own: its near plane is at the
-/// eye, that of the scene is not (decision 37). It is drawn first; the scene fills what it leaves free, by the stencil. Its mirrors show the
-/// scene. Threads: the update phase of the viewer.
+/// The inside of the vehicle that the eye is in, drawn into the picture of one channel by a camera of its
+/// own: its near plane is at the eye, that of the scene is not (decision 37). It is drawn first; the scene
+/// fills what it leaves free, by the stencil. Its mirrors show the scene. Threads: the update phase of the
+/// viewer.
 class InteriorView
 {
 public:
@@ -31,7 +32,8 @@ public:
     static std::unique_ptr<InteriorView> create(const simulation::ScenarioObject& vehicle,
                                                 const glm::dvec3& eyeInBody);
 
-    /// Begins to draw before `picture`, a camera of the view, and to keep it from what is covered. `air`: the uniforms of an Atmosphere. `scene`: what mirrors show.
+    /// Begins to draw before `picture`, a camera of the view, and to keep it from what is covered. `air`: the
+    /// uniforms of an Atmosphere. `scene`: what mirrors show.
     void addTo(osgViewer::View& view, osg::Camera& picture, osg::StateSet& air, osg::Node& scene);
 
     /// Whether it is drawn; hidden, it costs nothing.

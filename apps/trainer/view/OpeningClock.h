@@ -18,7 +18,8 @@ struct OpeningStage
     double processorS = 0.0; ///< of all threads of the process
 };
 
-/// Measures the stages from the start of a play to its first picture: each begins where the one before it ended.
+/// Measures the stages from the start of a play to its first picture: each begins where the one before it
+/// ended.
 /// Threads: one.
 class OpeningClock
 {

@@ -25,12 +25,13 @@ struct PartCosts
     std::vector<PictureCost> pictures;
 };
 
-/// Returns a table for people: for each part its medians, p99 and what it costs, which is the median with all less the median without.
-/// Rows without pictures are left out. The first row must be that with all parts.
+/// Returns a table for people: for each part its medians, p99 and what it costs, which is the median with all
+/// less the median without. Rows without pictures are left out. The first row must be that with all parts.
 std::string partsText(const std::vector<PartCosts>& parts);
 
-/// Writes the same as JSON: {"parts": [{"without", "pictures", "processorMsP50", "processorMsP99", "wallMsP50", "wallMsP99", "draws",
-/// "mapDraws", "costsMs"}, …]}; `costsMs` is processor time. Errors: a file that cannot be written.
+/// Writes the same as JSON: {"parts": [{"without", "pictures", "processorMsP50", "processorMsP99",
+/// "wallMsP50", "wallMsP99", "draws", "mapDraws", "costsMs"}, …]}; `costsMs` is processor time. Errors: a
+/// file that cannot be written.
 foundation::Outcome writeParts(const std::vector<PartCosts>& parts, const std::filesystem::path& file);
 
 } // namespace trainer

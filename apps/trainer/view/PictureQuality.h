@@ -6,9 +6,11 @@
 namespace trainer
 {
 
-/// Chooses the quality of pictures and how coarse terrain and roads may be, so that pictures come at ten a second and more: while they take
-/// long the quality falls, then the tolerance grows up to four times what was asked for; while they are quick both come back, the quality only
-/// while they are very quick, since the next one may take three times as long. Simulated time does not depend on it (decision 34). Units: pixels, ms.
+/// Chooses the quality of pictures and how coarse terrain and roads may be, so that pictures come at ten a
+/// second and more: while they take long the quality falls, then the tolerance grows up to four times what
+/// was asked for; while they are quick both come back, the quality only while they are very quick, since the
+/// next one may take three times as long. Simulated time does not depend on it (decision 34). Units: pixels,
+/// ms.
 /// Threads: one.
 class PictureQuality
 {

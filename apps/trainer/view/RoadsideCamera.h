@@ -23,8 +23,8 @@ struct RoadsideSettings
     static RoadsideSettings tower() { return {40.0, 32.0, 14.0, 150.0, 1.0}; }
 };
 
-/// A camera that stands beside the way and turns after a body: a person at the kerb, or a tower. It stands still until
-/// the body is too far away; then it stands ahead of the body again.
+/// A camera that stands beside the way and turns after a body: a person at the kerb, or a tower. It stands
+/// still until the body is too far away; then it stands ahead of the body again.
 /// Frame: world. Deterministic: depends on the updates only. Threads: one.
 class RoadsideCamera
 {

@@ -20,9 +20,10 @@ namespace trainer
 ///       <Frustum leftDeg="-20" rightDeg="35" bottomDeg="-15" topDeg="25"/>
 ///     </Channel>
 ///   </View>
-/// layout: separate (default) or tiled. A channel has fovXDeg, fovYDeg or a Frustum; see Channel for the meanings.
-/// Errors, as `file:line`: not readable, not XML, an element or attribute that is not above, a number that is none or
-/// out of its range, no channel or more than 16, a name given twice, tiled channels of different heights.
+/// layout: separate (default) or tiled. A channel has fovXDeg, fovYDeg or a Frustum; see Channel for the
+/// meanings. Errors, as `file:line`: not readable, not XML, an element or attribute that is not above, a
+/// number that is none or out of its range, no channel or more than 16, a name given twice, tiled channels of
+/// different heights.
 foundation::Result<ViewSetup> readView(const std::filesystem::path& file);
 
 /// Reads a view from memory; `name` replaces the file in messages.

@@ -11,9 +11,10 @@
 namespace trainer
 {
 
-/// Returns the index of the entity that the camera is in or looks at: the one of that name; without a name the first whose name
-/// says that it is the person's own (ego, ownship, hero, in any case), else the first vehicle that nothing tows, else the first
-/// that is no thing, else the first. Errors: there is none of that name. Precondition: there are entities.
+/// Returns the index of the entity that the camera is in or looks at: the one of that name; without a name
+/// the first whose name says that it is the person's own (ego, ownship, hero, in any case), else the first
+/// vehicle that nothing tows, else the first that is no thing, else the first. Errors: there is none of that
+/// name. Precondition: there are entities.
 foundation::Result<std::size_t> watchedEntity(const simulation::Scenario& scenario, const std::string& name);
 
 /// The room that an entity takes with all that it tows, straight behind it. Units: metres.

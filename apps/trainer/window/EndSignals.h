@@ -8,8 +8,8 @@
 namespace trainer
 {
 
-/// As long as it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the process, so that recordings are written. A second one
-/// of a kind ends it. Threads: one of it in a process.
+/// As long as it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the process, so that
+/// recordings are written. A second one of a kind ends it. Threads: one of it in a process.
 class EndSignals
 {
 public:

@@ -11,7 +11,8 @@
 namespace trainer
 {
 
-/// Test aids that put events into the queue of a window, as if somebody pressed keys there: a key script, and a simulated hand.
+/// Test aids that put events into the queue of a window, as if somebody pressed keys there: a key script, and
+/// a simulated hand.
 /// Threads: that of the viewer.
 class InjectedEvents
 {
@@ -26,7 +27,8 @@ public:
     /// What the script has up to a time since the window opened.
     void playScript(double wallS);
 
-    /// Lets the simulated hand press what its automatic wishes; Escape where that has done all. `nextS`: until the next picture.
+    /// Lets the simulated hand press what its automatic wishes; Escape where that has done all. `nextS`:
+    /// until the next picture.
     void moveHand(const simulation::HandOver& hands, const simulation::DynamicVehicle& vehicle, double nextS);
 
 private:

@@ -17,7 +17,8 @@ struct OpenedWindow
     bool drawsOnProcessor = false;
 };
 
-/// Tells whether there is the display, and the screen of it, that a window would be on. Errors: there is none.
+/// Tells whether there is the display, and the screen of it, that a window would be on. Errors: there is
+/// none.
 foundation::Outcome checkDisplay(const WindowRequest& request);
 
 /// Opens a window that OpenGL draws into; not current in any thread.

@@ -13,7 +13,8 @@
 namespace trainer
 {
 
-/// Writes the picture of a window to a file when it is asked to: FOLDER/picture-1.png and on. As the final callback of the camera that draws last.
+/// Writes the picture of a window to a file when it is asked to: FOLDER/picture-1.png and on. As the final
+/// callback of the camera that draws last.
 /// Threads: ask() from any; the callback from the one that draws.
 class PictureTaker : public osg::Camera::DrawCallback
 {

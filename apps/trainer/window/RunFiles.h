@@ -11,8 +11,8 @@
 namespace trainer
 {
 
-/// The files that a run in a window leaves: the table of motion and the inputs. A reset begins both anew; those of the runs before it keep
-/// their names with -1, -2 … before the extension.
+/// The files that a run in a window leaves: the table of motion and the inputs. A reset begins both anew;
+/// those of the runs before it keep their names with -1, -2 … before the extension.
 class RunFiles
 {
 public:

@@ -31,7 +31,8 @@ public:
     /// How the head is bent where it looks straight ahead: degrees upwards.
     void bend(double upDeg) { _bentDeg = upDeg; }
 
-    /// Whether the head reads the instruments, and where they are: a picture of them alone, from the same seat.
+    /// Whether the head reads the instruments, and where they are: a picture of them alone, from the same
+    /// seat.
     void readPanel(bool reads, const scenery::models::PanelView& panel)
     {
         _reads = reads;
@@ -42,7 +43,8 @@ public:
     /// The height of a picture from inside. Units: degrees.
     double insideDeg() const { return readsPanel() ? _panel.heightDeg : SceneInterior::kPictureDeg; }
 
-    /// Moves the head in its seat while this is not 0: metres a second along an axis of the vehicle. It stays within reach of its place.
+    /// Moves the head in its seat while this is not 0: metres a second along an axis of the vehicle. It stays
+    /// within reach of its place.
     void lean(int axis, double mps) { _leanMps[axis] = mps; }
 
     /// The head looks straight ahead from its place again.

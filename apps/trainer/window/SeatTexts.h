@@ -10,7 +10,8 @@
 namespace trainer
 {
 
-/// What a window says: the last message for some seconds, then the pace where it is not the usual; and its statistics.
+/// What a window says: the last message for some seconds, then the pace where it is not the usual; and its
+/// statistics.
 class SeatTexts
 {
 public:

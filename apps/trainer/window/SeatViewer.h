@@ -8,8 +8,8 @@
 namespace trainer
 {
 
-/// A viewer that does something between reading events and updating the scene: a key is in the picture of the frame that reads it. Whoever
-/// reads pictures back hears of a window that closes while it can still be read.
+/// A viewer that does something between reading events and updating the scene: a key is in the picture of the
+/// frame that reads it. Whoever reads pictures back hears of a window that closes while it can still be read.
 class SeatViewer : public osgViewer::Viewer
 {
 public:

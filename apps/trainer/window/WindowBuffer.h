@@ -8,14 +8,16 @@
 namespace trainer
 {
 
-/// Lets all cameras of a window draw into a framebuffer object, as those of an offscreen context do, and copies each picture into the window before
-/// it is shown. Mesa's windows lie upside down in memory: drawn straight into one, edges round to the other side, and a picture differs by some levels
-/// from the same one offscreen. The swap callback that the window has when this begins is called after the copy.
+/// Lets all cameras of a window draw into a framebuffer object, as those of an offscreen context do, and
+/// copies each picture into the window before it is shown. Mesa's windows lie upside down in memory: drawn
+/// straight into one, edges round to the other side, and a picture differs by some levels from the same one
+/// offscreen. The swap callback that the window has when this begins is called after the copy.
 /// Threads: the one that draws. Memory: the buffers live until release().
 class WindowBuffer final : public osg::GraphicsContext::SwapCallback
 {
 public:
-    /// Makes the buffers in the size of the window. Null: this OpenGL has none of that size or number of samples.
+    /// Makes the buffers in the size of the window. Null: this OpenGL has none of that size or number of
+    /// samples.
     static osg::ref_ptr<WindowBuffer> begin(osgViewer::GraphicsWindow& window, int samples);
 
     /// Follows the size of the window; between two pictures. False: as begin().

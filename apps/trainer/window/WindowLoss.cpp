@@ -56,8 +56,8 @@ bool tellsOfLostWindow(const XErrorEvent& error)
     return isOfKind && watched().window != None && error.resourceid == watched().window;
 }
 
-/// The last moment: Mesa's drawing without a GPU asks for the size of the window, takes whatever lies in memory where there is no answer, and
-/// faults.
+/// The last moment: Mesa's drawing without a GPU asks for the size of the window, takes whatever lies in
+/// memory where there is no answer, and faults.
 int whenRefused(Display* display, XErrorEvent* error)
 {
     if (tellsOfLostWindow(*error)) WindowLoss::endWithoutWindow();

@@ -8,8 +8,9 @@
 namespace trainer
 {
 
-/// As long as it lives, a window that another program destroys, or a display that goes away (its server is killed, its connection breaks),
-/// leads to `save` and the end of the process with a message and exit code 1 (decision 54). Threads: one of it in a process.
+/// As long as it lives, a window that another program destroys, or a display that goes away (its server is
+/// killed, its connection breaks), leads to `save` and the end of the process with a message and exit code 1
+/// (decision 54). Threads: one of it in a process.
 class WindowLoss
 {
 public:

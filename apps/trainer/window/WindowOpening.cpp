@@ -80,7 +80,8 @@ foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerr
     return openPictures();
 }
 
-/// Where a processor draws, pictures are too slow nearly everywhere unless they leave out what they may: they begin so.
+/// Where a processor draws, pictures are too slow nearly everywhere unless they leave out what they may: they
+/// begin so.
 void WindowSession::beginCoarse()
 {
     _quality.beginCoarse();

@@ -130,7 +130,8 @@ void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun, 
     setTolerance(_play.terrain, _quality.tolerancePx());
 }
 
-/// Time goes on where nobody sees the window, but nothing is drawn. Keys that are held where another window gets the keyboard count as let go.
+/// Time goes on where nobody sees the window, but nothing is drawn. Keys that are held where another window
+/// gets the keyboard count as let go.
 void WindowSession::showPicture()
 {
     const WindowWatch::State state = _watch->look();

@@ -33,13 +33,15 @@
 namespace trainer
 {
 
-/// Plays a scenario, or a ride that somebody controls, in a window in real time (decision 34). Each picture: events, the steps that are due,
-/// the scene, then drawing. It ends when the window is closed, by its key, and by SIGINT or SIGTERM; recordings are written always.
+/// Plays a scenario, or a ride that somebody controls, in a window in real time (decision 34). Each picture:
+/// events, the steps that are due, the scene, then drawing. It ends when the window is closed, by its key,
+/// and by SIGINT or SIGTERM; recordings are written always.
 /// Threads: one.
 class WindowSession final : private KeyTarget
 {
 public:
-    /// `scenario`: what is played where `maker` is null. `recordInputs`: file for what the hands do; empty: none.
+    /// `scenario`: what is played where `maker` is null. `recordInputs`: file for what the hands do; empty:
+    /// none.
     /// Errors: those of PlayScene, of openWindow() and of readKeyScript(); a ride that cannot begin.
     static foundation::Result<std::unique_ptr<WindowSession>>
     create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request, RideMaker* maker,

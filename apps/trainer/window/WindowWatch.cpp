@@ -42,7 +42,8 @@ WindowWatch::State WindowWatch::look()
         switch (event.type)
         {
         case FocusOut:
-            // A window manager that grabs the keyboard for a moment takes the focus, too: keys may come up unseen.
+            // A window manager that grabs the keyboard for a moment takes the focus, too: keys may come up
+            // unseen.
             _state.hasLostFocus |= event.xfocus.detail != NotifyInferior;
             break;
         case UnmapNotify:

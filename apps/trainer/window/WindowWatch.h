@@ -8,8 +8,8 @@
 namespace trainer
 {
 
-/// What happens to a window that OSG's events do not tell: it loses the focus of the keyboard, is minimised, or is destroyed by others. By a
-/// connection of its own to the display. Threads: one.
+/// What happens to a window that OSG's events do not tell: it loses the focus of the keyboard, is minimised,
+/// or is destroyed by others. By a connection of its own to the display. Threads: one.
 class WindowWatch
 {
 public:

@@ -23,8 +23,9 @@ struct AreaPanel
     std::vector<AreaLine> lines;
 };
 
-/// Returns the charts as one SVG image, two in a row. Faces run from all (right) to a hundredth (left), by their logarithm; the area from the
-/// least of the panel to the most. The dashed line is at a quarter of the faces.
+/// Returns the charts as one SVG image, two in a row. Faces run from all (right) to a hundredth (left), by
+/// their logarithm; the area from the least of the panel to the most. The dashed line is at a quarter of the
+/// faces.
 std::string areaChart(const std::vector<AreaPanel>& panels);
 
 } // namespace pmtool

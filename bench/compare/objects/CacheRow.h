@@ -29,8 +29,9 @@ struct CacheSubject
 /// The names of all arrangements of faces, as in tables.
 std::vector<std::string> cacheOrderNames();
 
-/// Measures one arrangement and returns its row. Transforms per vertex count the vertices that a level's faces use. There is one draw
-/// call for each material; it begins with an empty cache. Arrangements made anew for every level have no time and no bytes.
+/// Measures one arrangement and returns its row. Transforms per vertex count the vertices that a level's
+/// faces use. There is one draw call for each material; it begins with an empty cache. Arrangements made anew
+/// for every level have no time and no bytes.
 nlohmann::ordered_json cacheRow(const CacheSubject& subject, const std::string& order);
 
 } // namespace pmtool

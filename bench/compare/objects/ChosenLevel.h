@@ -15,8 +15,8 @@ struct ChosenLevel
     double tolerance = 0.0; ///< units of the model
 };
 
-/// Returns the level that a node shows in its first frame at a tolerance of one pixel, with its sphere of this radius so many pixels
-/// across.
+/// Returns the level that a node shows in its first frame at a tolerance of one pixel, with its sphere of
+/// this radius so many pixels across.
 ChosenLevel levelShownAt(const osgPMObjects::core::LevelTable& table, double radius, double acrossPx);
 
 } // namespace pmtool

@@ -22,10 +22,12 @@ void addCompareSimplify(CLI::App& app, Chosen& chosen);
 /// Declares `silhouette`: measures images of levels from all around on every model.
 void addCompareSilhouette(CLI::App& app, Chosen& chosen);
 
-/// Declares `tolerance`: measures how many triangles progressive objects show at a tolerance, and how few would keep it.
+/// Declares `tolerance`: measures how many triangles progressive objects show at a tolerance, and how few
+/// would keep it.
 void addCompareTolerance(CLI::App& app, Chosen& chosen);
 
-/// Declares `support`: measures how the area changes as vertices are removed, with support vertices and without.
+/// Declares `support`: measures how the area changes as vertices are removed, with support vertices and
+/// without.
 void addSupport(CLI::App& app, Chosen& chosen);
 
 } // namespace pmtool

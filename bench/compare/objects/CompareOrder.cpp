@@ -24,7 +24,8 @@ struct OrderRequest
     std::filesystem::path dumpFolder;
 };
 
-/// Indices of all draw calls, one after the other, as a graphics card takes them; four bytes each, lowest first.
+/// Indices of all draw calls, one after the other, as a graphics card takes them; four bytes each, lowest
+/// first.
 foundation::Outcome dumpIndices(const std::filesystem::path& file, const OrderedSubject& ordered)
 {
     std::string bytes;

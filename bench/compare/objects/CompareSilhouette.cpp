@@ -141,7 +141,8 @@ std::vector<std::size_t> facesOfTargets(std::vector<double> percents, std::size_
     return targets;
 }
 
-/// Measures the levels of one tool, adds a row each to `results`, and writes their images if a folder is named.
+/// Measures the levels of one tool, adds a row each to `results`, and writes their images if a folder is
+/// named.
 foundation::Outcome compareImages(const SimplifyTool& tool, const SimplifyTask& task,
                                   const core::ImageMeter& meter, const SilhouetteRequest& request,
                                   const std::string& name, Json& results)

@@ -98,7 +98,8 @@ bool isName(const std::string& name)
                        [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
 }
 
-/// Returns all tools, peers last, or the requested ones in their order. Throws where the command line names no tool.
+/// Returns all tools, peers last, or the requested ones in their order. Throws where the command line names
+/// no tool.
 std::vector<SimplifyTool> chosenTools(const CompareRequest& request)
 {
     std::vector<SimplifyTool> all = simplifyTools();

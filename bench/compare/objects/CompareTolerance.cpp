@@ -74,8 +74,8 @@ private:
                                           {.arrangement = core::Arrangement::plain});
     }
 
-    /// The fewest triangles of any level, of a finer ladder than that of the errors, that keeps the tolerance of a shown one. Levels of
-    /// less than a third of its triangles are not looked at.
+    /// The fewest triangles of any level, of a finer ladder than that of the errors, that keeps the tolerance
+    /// of a shown one. Levels of less than a third of its triangles are not looked at.
     std::uint32_t fewestWithin(const ChosenLevel& shown) const
     {
         constexpr double kRatio = 1.05;
@@ -125,7 +125,8 @@ foundation::Result<Json> compareModelTolerances(const std::string& file, const T
     return row;
 }
 
-/// Marks the report as unsound, with a line each, for models that show more than `most` times the fewest triangles.
+/// Marks the report as unsound, with a line each, for models that show more than `most` times the fewest
+/// triangles.
 void judge(terminal::Report& report, double most)
 {
     for (const Json& model : report.json["models"])

@@ -20,8 +20,9 @@ using namespace osgPMObjects;
 /// Of the model's size: no level is refused for it.
 constexpr float kAnyError = 1e6f;
 
-/// A mesh in the form that the library takes: one buffer of vertices for all draw calls. A wedge that several materials use is as many
-/// vertices, so that a face's material can be told by its vertices, and the library sees the border between them as a seam.
+/// A mesh in the form that the library takes: one buffer of vertices for all draw calls. A wedge that several
+/// materials use is as many vertices, so that a face's material can be told by its vertices, and the library
+/// sees the border between them as a seam.
 struct VertexBuffer
 {
     std::vector<unsigned int> indices;

@@ -27,7 +27,8 @@ struct OrderedSubject
 /// Computes the order of a name in orderNames() for each draw call of a subject.
 OrderedSubject orderSubject(const OrderSubject& subject, const std::string& order);
 
-/// Returns the vertices transformed for each triangle, by cache model. The cache is empty at the beginning of every draw call.
+/// Returns the vertices transformed for each triangle, by cache model. The cache is empty at the beginning of
+/// every draw call.
 nlohmann::ordered_json transformsPerTriangle(const OrderSubject& subject, const OrderedSubject& ordered);
 
 } // namespace pmtool

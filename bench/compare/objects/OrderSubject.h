@@ -25,9 +25,9 @@ struct DrawCall
 /// A model with its vertices counted in one of two ways.
 struct OrderSubject
 {
-    std::string
-        vertices; ///< "positions": one for each position, all of the model in one call. "wedges": as it is drawn, one
-    ///< for each position with its attributes, needless splits merged, a call for each material.
+    /// "positions": one for each position, all of the model in one call. "wedges": as it is drawn, one for
+    /// each position with its attributes, needless splits merged, a call for each material.
+    std::string vertices;
     std::vector<DrawCall> calls;
 
     std::size_t triangleCount() const;

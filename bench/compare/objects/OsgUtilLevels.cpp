@@ -48,7 +48,8 @@ core::Mesh facesOf(const core::Mesh& mesh, std::uint32_t material)
     return some;
 }
 
-/// Simplifies the faces of one material and puts what is left into the level. Returns the time it took, in milliseconds.
+/// Simplifies the faces of one material and puts what is left into the level. Returns the time it took, in
+/// milliseconds.
 foundation::Result<double> simplifyMaterial(core::Mesh some, std::uint32_t material,
                                             osgUtil::Simplifier& simplifier, core::MeshBuilder& level)
 {

@@ -53,7 +53,8 @@ std::string lastWords(const fs::path& file)
     return last;
 }
 
-/// Reads `v` and `f` lines; faces are triangles. Errors: an index beyond the positions, words that are no numbers.
+/// Reads `v` and `f` lines; faces are triangles. Errors: an index beyond the positions, words that are no
+/// numbers.
 foundation::Result<core::Mesh> readPlain(const fs::path& file)
 {
     std::ifstream stream(file);

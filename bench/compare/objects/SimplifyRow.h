@@ -32,8 +32,8 @@ struct SimplifySubject
 void addMeasures(nlohmann::ordered_json& row, const SimplifySubject& subject, const SimplifiedLevel& level,
                  std::size_t target);
 
-/// Writes a mesh as FOLDER/STEM.obj (writePlain()), and one with texture coordinates as FOLDER/STEM.uv.obj (writeTextured()), too;
-/// the files' names go into the row. Errors: a file cannot be written.
+/// Writes a mesh as FOLDER/STEM.obj (writePlain()), and one with texture coordinates as FOLDER/STEM.uv.obj
+/// (writeTextured()), too; the files' names go into the row. Errors: a file cannot be written.
 foundation::Outcome dump(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& folder,
                          const std::string& stem, nlohmann::ordered_json& row);
 

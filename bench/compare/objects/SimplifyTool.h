@@ -55,15 +55,18 @@ void addOwnTools(std::vector<SimplifyTool>& tools);
 /// Makes levels by meshoptimizer's simplifier.
 foundation::Result<std::vector<SimplifiedLevel>> meshoptimizerLevels(const SimplifyTask& task);
 
-/// Makes levels by osgUtil::Simplifier, on one geometry for each part and material; of a shape, on one in all.
+/// Makes levels by osgUtil::Simplifier, on one geometry for each part and material; of a shape, on one in
+/// all.
 foundation::Result<std::vector<SimplifiedLevel>> osgUtilLevels(const SimplifyTask& task);
 
-/// Returns a tool that runs a separate program as `PROGRAM IN.obj FOLDER COUNT…`. The program writes FOLDER/COUNT.obj for each count
-/// of faces, and a line "COUNT MS" each to its standard output. Errors: it cannot be started, fails, takes too long, or writes no
-/// such file; the last line of its output is in the message.
+/// Returns a tool that runs a separate program as `PROGRAM IN.obj FOLDER COUNT…`. The program writes
+/// FOLDER/COUNT.obj for each count of faces, and a line "COUNT MS" each to its standard output. Errors: it
+/// cannot be started, fails, takes too long, or writes no such file; the last line of its output is in the
+/// message.
 SimplifyTool peerTool(const std::string& name, const std::filesystem::path& program);
 
-/// Returns a mesh's faces by position alone: one wedge for each position, without attributes, one material and one part.
+/// Returns a mesh's faces by position alone: one wedge for each position, without attributes, one material
+/// and one part.
 osgPMObjects::core::Mesh shapeOf(const osgPMObjects::core::Mesh& mesh);
 
 /// Returns a mesh whose faces are these triangles of positions; degenerate ones are left out.

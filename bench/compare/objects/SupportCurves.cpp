@@ -20,7 +20,8 @@ namespace
 /// The number of intervals between the levels of a curve that are written.
 constexpr std::size_t kWrittenLevels = 160;
 
-/// Levels to write: the first with no more faces than each of kWrittenLevels shares, spread evenly in their logarithm.
+/// Levels to write: the first with no more faces than each of kWrittenLevels shares, spread evenly in their
+/// logarithm.
 std::vector<std::size_t> writtenLevels(const core::AreaCurve& curve)
 {
     std::vector<std::size_t> levels;

@@ -22,8 +22,8 @@ struct NamedSupportRule
     osgPMObjects::core::SupportRule rule;
 };
 
-/// The rules of curves 1, 2 and 3 in Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal
-/// objects* (2002), figure 14.
+/// The rules of curves 1, 2 and 3 in Sadykov & Zakharov, *Choosing the level of detail in continuous
+/// simplification of polygonal objects* (2002), figure 14.
 constexpr std::array<NamedSupportRule, 3> kSupportRules{
     {{"none", osgPMObjects::core::SupportRule::none},
      {"maximum", osgPMObjects::core::SupportRule::farthest},

@@ -11,8 +11,8 @@
 namespace terraintool
 {
 
-/// The work that the command line of compare_terrain asked for. Each add…() declares one subcommand; the callback of the chosen one
-/// sets `work`.
+/// The work that the command line of compare_terrain asked for. Each add…() declares one subcommand; the
+/// callback of the chosen one sets `work`.
 struct Chosen
 {
     std::function<foundation::Result<terminal::Report>()> work;

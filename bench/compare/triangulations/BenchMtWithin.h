@@ -10,8 +10,9 @@
 namespace terraintool
 {
 
-/// Builds made-up points within request.memoryMb, in a process of its own whose data the system limits to that (RLIMIT_DATA). Points go
-/// to files as they are made. Returns the row of a table; "peakMB" is the most that was resident.
+/// Builds made-up points within request.memoryMb, in a process of its own whose data the system limits to
+/// that (RLIMIT_DATA). Points go to files as they are made. Returns the row of a table; "peakMB" is the most
+/// that was resident.
 /// Errors: those of the build; the process ended by itself, as one does that asks for more.
 foundation::Result<nlohmann::ordered_json>
 benchCaseWithin(const std::string& name, osgMultiTriangulation::core::PointDistribution distribution,

@@ -24,8 +24,8 @@ struct Bend
     bool isLeft = false;
 };
 
-/// A closed course in the plan view: straights and bends in turn, with curvature that has no jump. It begins with the straight
-/// behind the last bend.
+/// A closed course in the plan view: straights and bends in turn, with curvature that has no jump. It begins
+/// with the straight behind the last bend.
 /// Frame: metres east and north of the terrain's middle.
 struct Alignment
 {
@@ -37,11 +37,11 @@ struct Alignment
     osgRoads::core::ReferenceLine line() const { return osgRoads::core::ReferenceLine(elements); }
 };
 
-/// Rounds the corners of a closed polygon. The radius of each bend is the largest that its two edges allow, kLargestRadiusM at
-/// most.
-/// Returns nothing where a bend would be tighter than kLeastRadiusM, or a corner turns by less than 3° or more than 120°.
-/// Source: Hickerson, Route Location and Design (1964), chapter 10: a spiral of length l before an arc of radius r moves the arc
-/// inwards by its shift and lengthens the tangent.
+/// Rounds the corners of a closed polygon. The radius of each bend is the largest that its two edges allow,
+/// kLargestRadiusM at most. Returns nothing where a bend would be tighter than kLeastRadiusM, or a corner
+/// turns by less than 3° or more than 120°.
+/// Source: Hickerson, Route Location and Design (1964), chapter 10: a spiral of length l before an arc of
+/// radius r moves the arc inwards by its shift and lengthens the tangent.
 std::optional<Alignment> alignmentOf(const std::vector<glm::dvec2>& corners);
 
 } // namespace islandgen

@@ -20,7 +20,8 @@ constexpr std::size_t kRoads = 4;
 constexpr double kSightRadiusM = 250.0; ///< of wider bends one sees the end
 constexpr double kBeforeBendM = 50.0;
 constexpr double kRailHeightM = 2.0; ///< of the embankment
-/// Cover of a portal, which is as high as its tube; of a place that deserves a tunnel; half a tube; before the ends of a road.
+/// Cover of a portal, which is as high as its tube; of a place that deserves a tunnel; half a tube; before
+/// the ends of a road.
 constexpr double kPortalCoverM = 8.0, kTunnelCoverM = 12.0, kTubeM = 6.0, kPortalRoomM = 30.0;
 constexpr double kShortestTunnelM = 40.0, kTunnelStepM = 2.0;
 constexpr double kFootM = 9.0, kRailStepM = 10.0, kShortestRailM = 50.0;
@@ -132,7 +133,8 @@ double coverAt(const Terrain& terrain, const CourseRoad& road, const osgRoads::c
     return leastM - road.elevation.value(s);
 }
 
-/// Finds where a tunnel is in place of a cutting: long enough under ground that covers its tube, and somewhere deep.
+/// Finds where a tunnel is in place of a cutting: long enough under ground that covers its tube, and
+/// somewhere deep.
 std::vector<Stretch> tunnelsOf(const Terrain& terrain, const CourseRoad& road)
 {
     const osgRoads::core::ReferenceLine line(road.elements);

@@ -15,8 +15,8 @@ struct Stretch
     double fromM = 0.0, toM = 0.0;
 };
 
-/// One road of a course: what of the course lies between two places, with s from 0 at its start. Curvature is positive to
-/// the left; frames as Alignment.
+/// One road of a course: what of the course lies between two places, with s from 0 at its start. Curvature is
+/// positive to the left; frames as Alignment.
 struct CourseRoad
 {
     double lengthM = 0.0;

@@ -46,7 +46,8 @@ struct Polygon
     }
 };
 
-/// What a course costs: earthworks of 1.5 m, a grade of 4 %, a cross slope of 10 % and 250 m too few count one each.
+/// What a course costs: earthworks of 1.5 m, a grade of 4 %, a cross slope of 10 % and 250 m too few count
+/// one each.
 double costOf(const Terrain& terrain, const Polygon& polygon)
 {
     const auto alignment = alignmentOf(polygon.corners());

@@ -7,8 +7,8 @@
 namespace foundation
 {
 
-/// Returns the folder below which a user's programs keep what they can make again: $XDG_CACHE_HOME/osgTrainer or ~/.cache/osgTrainer; empty where
-/// the environment names no place. It need not be there.
+/// Returns the folder below which a user's programs keep what they can make again: $XDG_CACHE_HOME/osgTrainer
+/// or ~/.cache/osgTrainer; empty where the environment names no place. It need not be there.
 /// Source: freedesktop.org, XDG Base Directory Specification.
 inline std::filesystem::path cacheFolder()
 {

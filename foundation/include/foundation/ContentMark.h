@@ -13,8 +13,9 @@
 namespace foundation
 {
 
-/// A mark of 128 bits of what it was given, piece by piece: two sums of eight bytes at a time. It tells contents apart that differ by chance, not by
-/// malice. Source: Fowler, Noll & Vo, FNV-1a; differs: eight bytes a step, and each step shifts upper bits down.
+/// A mark of 128 bits of what it was given, piece by piece: two sums of eight bytes at a time. It tells
+/// contents apart that differ by chance, not by malice. Source: Fowler, Noll & Vo, FNV-1a; differs: eight
+/// bytes a step, and each step shifts upper bits down.
 class ContentMark
 {
 public:

@@ -15,9 +15,10 @@ inline std::filesystem::path programFolder()
     return failed ? std::filesystem::path() : program.parent_path();
 }
 
-/// Finds a file that comes with the programs, such as "vehicles/car.xml": below data/ of the working folder; else where the program is
-/// installed, below share/osgtrainer/data; else below data/ of the two folders above the program, as in a source tree with a build/bin.
-/// Returns "data/" and the name where it is nowhere, for whoever opens it to tell.
+/// Finds a file that comes with the programs, such as "vehicles/car.xml": below data/ of the working folder;
+/// else where the program is installed, below share/osgtrainer/data; else below data/ of the two folders
+/// above the program, as in a source tree with a build/bin. Returns "data/" and the name where it is nowhere,
+/// for whoever opens it to tell.
 inline std::filesystem::path dataFile(const std::filesystem::path& name)
 {
     const std::filesystem::path here = "data" / name, above = programFolder().parent_path();

@@ -6,7 +6,8 @@
 namespace foundation
 {
 
-/// An error says why a piece of data could not be used: where it is, what is wrong with it, what its owner can do.
+/// An error says why a piece of data could not be used: where it is, what is wrong with it, what its owner
+/// can do.
 struct Error
 {
     std::string place;  ///< file, or file:line, or option

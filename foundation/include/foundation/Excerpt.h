@@ -7,8 +7,9 @@
 namespace foundation
 {
 
-/// Returns a text whole, or, where it has more than `mostBytes`, its beginning and its end with the number of bytes left out
-/// between them: a message stays readable when a file has a line of 100 kB. No character of UTF-8 is cut in two.
+/// Returns a text whole, or, where it has more than `mostBytes`, its beginning and its end with the number of
+/// bytes left out between them: a message stays readable when a file has a line of 100 kB. No character of
+/// UTF-8 is cut in two.
 inline std::string excerpt(std::string_view text, std::size_t mostBytes = 300)
 {
     if (text.size() <= mostBytes) return std::string(text);

@@ -10,8 +10,9 @@
 namespace foundation
 {
 
-/// Calls `work(i)` for each number below `count`, in as many threads as there are processors, the next free one taking the next number,
-/// and waits for all. What is written to a place of its own for each number does not depend on the threads' timing.
+/// Calls `work(i)` for each number below `count`, in as many threads as there are processors, the next free
+/// one taking the next number, and waits for all. What is written to a place of its own for each number does
+/// not depend on the threads' timing.
 /// Errors: the first exception of the work is thrown again here, after all have ended.
 template<class Work>
 void forEachAtOnce(std::size_t count, const Work& work)

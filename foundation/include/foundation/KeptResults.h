@@ -22,10 +22,12 @@
 namespace foundation
 {
 
-/// Results of long computations, kept in a folder, each in a file of its own that is named by a mark of what it follows from: the program and its
-/// libraries, and the computation's inputs. So a result is found only where computing it again would give the same bytes.
-/// A file that is missing, cut off or damaged is no result; keeping the result anew replaces it. What cannot be written is not kept, which is no error.
-/// Memory: a folder holds up to `mostBytes`, and one file a quarter of that; what was not asked for the longest time is removed first.
+/// Results of long computations, kept in a folder, each in a file of its own that is named by a mark of what
+/// it follows from: the program and its libraries, and the computation's inputs. So a result is found only
+/// where computing it again would give the same bytes. A file that is missing, cut off or damaged is no
+/// result; keeping the result anew replaces it. What cannot be written is not kept, which is no error.
+/// Memory: a folder holds up to `mostBytes`, and one file a quarter of that; what was not asked for the
+/// longest time is removed first.
 /// Threads: any number, in any number of processes.
 class KeptResults
 {
@@ -81,8 +83,9 @@ public:
         removeOldest();
     }
 
-    /// Returns the result kept under a name and a mark of the inputs, or makes it and keeps it. `read`: takes the bytes, and returns an optional
-    /// that is absent where `write` did not write them; `write`: returns the bytes of a result.
+    /// Returns the result kept under a name and a mark of the inputs, or makes it and keeps it. `read`: takes
+    /// the bytes, and returns an optional that is absent where `write` did not write them; `write`: returns
+    /// the bytes of a result.
     template<class Read, class Make, class Write>
     auto findOrMake(std::string_view name, const ContentMark& inputs, const Read& read, const Make& make,
                     const Write& write) const -> decltype(make())

@@ -17,8 +17,9 @@ namespace foundation
 class ProgramMark
 {
 public:
-    /// Returns a mark of the running program and of the libraries that it is linked with (plugins of osgDB do not count), by their build-ids: any other
-    /// code has another one. Absent where the program has no build-id. Source: System V ABI, *Note Section*; the note NT_GNU_BUILD_ID.
+    /// Returns a mark of the running program and of the libraries that it is linked with (plugins of osgDB do
+    /// not count), by their build-ids: any other code has another one. Absent where the program has no
+    /// build-id. Source: System V ABI, *Note Section*; the note NT_GNU_BUILD_ID.
     static std::optional<ContentMark> ofThis()
     {
         ProgramMark found;

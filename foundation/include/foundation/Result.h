@@ -12,8 +12,8 @@
 namespace foundation
 {
 
-/// A result holds either a value or the Error that kept it from existing. Failures of data are values, never exceptions: an
-/// exception must not cross a scene-graph traversal or a C callback.
+/// A result holds either a value or the Error that kept it from existing. Failures of data are values, never
+/// exceptions: an exception must not cross a scene-graph traversal or a C callback.
 /// Errors: reading the absent side is a broken contract (assert).
 template<class T>
 class [[nodiscard]] Result

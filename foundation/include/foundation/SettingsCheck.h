@@ -11,8 +11,8 @@
 namespace foundation
 {
 
-/// Checks the numbers of a settings struct against their ranges and keeps the first error. NaN and infinities are in no
-/// range. Errors name the field: "settings.field: is 3; give a number from 0 to 1".
+/// Checks the numbers of a settings struct against their ranges and keeps the first error. NaN and infinities
+/// are in no range. Errors name the field: "settings.field: is 3; give a number from 0 to 1".
 class SettingsCheck
 {
 public:

@@ -13,15 +13,18 @@
 namespace foundation
 {
 
-/// Returns how many threads this machine runs at once, 1 at least. Asked once: the system reads a file for each answer, 10 us.
+/// Returns how many threads this machine runs at once, 1 at least. Asked once: the system reads a file for
+/// each answer, 10 us.
 inline std::size_t processors()
 {
     static const std::size_t count = std::max(1U, std::thread::hardware_concurrency());
     return count;
 }
 
-/// A group of threads whose failures are not lost. Where the system has no further thread, work is done at once in the calling one.
-/// Errors: join() throws the first exception that left some work, as std::bad_alloc; the destructor waits, and forgets it.
+/// A group of threads whose failures are not lost. Where the system has no further thread, work is done at
+/// once in the calling one.
+/// Errors: join() throws the first exception that left some work, as std::bad_alloc; the destructor waits,
+/// and forgets it.
 class Threads
 {
 public:

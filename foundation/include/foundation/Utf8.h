@@ -11,9 +11,10 @@
 namespace foundation
 {
 
-/// Returns the name of the encoding of a text in UTF-16 or UTF-32, by its byte order mark or by the zeros around its first `<`; nothing: it is
-/// neither.
-/// Source: W3C, *Extensible Markup Language (XML) 1.0*, 5th edition, appendix F (detection of character encodings).
+/// Returns the name of the encoding of a text in UTF-16 or UTF-32, by its byte order mark or by the zeros
+/// around its first `<`; nothing: it is neither.
+/// Source: W3C, *Extensible Markup Language (XML) 1.0*, 5th edition, appendix F (detection of character
+/// encodings).
 inline std::optional<const char*> wideEncodingOf(std::string_view text)
 {
     const auto startsWith = [&](std::string_view mark) { return text.substr(0, mark.size()) == mark; };
@@ -28,7 +29,8 @@ inline std::optional<const char*> wideEncodingOf(std::string_view text)
     return std::nullopt;
 }
 
-/// Converts a text to UTF-8, a byte order mark left out. `encoding`: as iconv names it. Returns nothing where the text is not valid in it.
+/// Converts a text to UTF-8, a byte order mark left out. `encoding`: as iconv names it. Returns nothing where
+/// the text is not valid in it.
 inline std::optional<std::string> toUtf8(std::string_view text, const char* encoding)
 {
     const iconv_t converter = iconv_open("UTF-8", encoding);

@@ -10,8 +10,8 @@
 namespace foundation
 {
 
-/// A model of a first-in-first-out vertex cache: the vertices that were transformed last. A vertex found in it costs nothing and
-/// keeps its position in the queue.
+/// A model of a first-in-first-out vertex cache: the vertices that were transformed last. A vertex found in
+/// it costs nothing and keeps its position in the queue.
 /// Memory: 8 B a vertex. Cost: a few ns a call.
 /// Source: Hoppe, *Optimization of Mesh Locality for Transparent Vertex Caching*, 1999, section 3.
 class FifoCache
@@ -57,11 +57,11 @@ struct BatchLimits
     std::uint32_t triangles = std::numeric_limits<std::uint32_t>::max(); ///< three indices each
 };
 
-/// A model of batched vertex processing: triangles of one batch share their transformed vertices, batches share none. A triangle
-/// that would exceed a limit begins the next batch.
+/// A model of batched vertex processing: triangles of one batch share their transformed vertices, batches
+/// share none. A triangle that would exceed a limit begins the next batch.
 /// Memory: 4 B a vertex.
-/// Source: Kerbl et al., *Revisiting the Vertex Cache*, 2018: an NVIDIA GTX 1080 was measured to work so, with 32 distinct
-/// vertices and 96 indices a batch (kNvidia), and not with a queue.
+/// Source: Kerbl et al., *Revisiting the Vertex Cache*, 2018: an NVIDIA GTX 1080 was measured to work so,
+/// with 32 distinct vertices and 96 indices a batch (kNvidia), and not with a queue.
 class BatchCache
 {
 public:

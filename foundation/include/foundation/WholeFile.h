@@ -13,9 +13,10 @@
 namespace foundation
 {
 
-/// A file that appears under its final name only when it is complete. It is written under a temporary name in the same folder;
-/// commit() renames it, the destructor removes it otherwise. Of a symbolic link, the target is replaced. A device or a pipe
-/// (/dev/stdout) is written directly. `ending`: of the temporary name; where several processes may write the same file at once, each has its own.
+/// A file that appears under its final name only when it is complete. It is written under a temporary name in
+/// the same folder; commit() renames it, the destructor removes it otherwise. Of a symbolic link, the target
+/// is replaced. A device or a pipe (/dev/stdout) is written directly. `ending`: of the temporary name; where
+/// several processes may write the same file at once, each has its own.
 /// Threads: one.
 class WholeFile
 {
@@ -69,7 +70,8 @@ private:
     std::filesystem::path _asked, _final, _written;
 };
 
-/// Writes `bytes` as a WholeFile. Errors: no such folder, no permission, no room; then nothing is left behind.
+/// Writes `bytes` as a WholeFile. Errors: no such folder, no permission, no room; then nothing is left
+/// behind.
 inline Outcome writeWholeFile(const std::filesystem::path& path, std::string_view bytes,
                               std::string_view ending = ".part")
 {
@@ -84,8 +86,8 @@ inline Outcome writeWholeFile(const std::filesystem::path& path, std::string_vie
     return file.commit();
 }
 
-/// Tells whether writeWholeFile would work, before a long computation; leaves nothing behind. An empty path stands for no file
-/// and succeeds.
+/// Tells whether writeWholeFile would work, before a long computation; leaves nothing behind. An empty path
+/// stands for no file and succeeds.
 inline Outcome checkWritable(const std::filesystem::path& path)
 {
     std::error_code ignored;

@@ -42,8 +42,8 @@ private:
     std::error_code _failed;
 };
 
-/// Tells whether a folder can be made, or is there, and takes the file `name`, before a long computation; leaves nothing behind. An empty
-/// path stands for no folder and succeeds.
+/// Tells whether a folder can be made, or is there, and takes the file `name`, before a long computation;
+/// leaves nothing behind. An empty path stands for no folder and succeeds.
 inline Outcome checkFolderWritable(const std::filesystem::path& folder, const std::filesystem::path& name)
 {
     if (folder.empty()) return success();

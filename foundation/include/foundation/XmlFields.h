@@ -10,7 +10,8 @@
 namespace foundation
 {
 
-/// Writes attributes of an XML element. Numbers have twelve significant digits: 1 µm at 1000 km. Whoever includes this links pugixml.
+/// Writes attributes of an XML element. Numbers have twelve significant digits: 1 µm at 1000 km. Whoever
+/// includes this links pugixml.
 inline void set(pugi::xml_node node, const char* name, double value)
 {
     char text[32];

@@ -34,8 +34,8 @@ public:
     static Result<std::unique_ptr<XmlSource>> read(const std::filesystem::path& file,
                                                    std::size_t maximumBytes);
 
-    /// UTF-16 and UTF-32 are converted. Errors, as `name:line`: malformed, no root element, nested deeper than 64 elements; as `name`: nothing
-    /// in it, compressed, not valid in its encoding.
+    /// UTF-16 and UTF-32 are converted. Errors, as `name:line`: malformed, no root element, nested deeper
+    /// than 64 elements; as `name`: nothing in it, compressed, not valid in its encoding.
     static Result<std::unique_ptr<XmlSource>> parse(std::string_view text, const std::string& name);
 
     pugi::xml_node root() const { return _document.document_element(); }

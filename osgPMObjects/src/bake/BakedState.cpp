@@ -38,7 +38,8 @@ osg::ref_ptr<osg::Texture2D> textureOf(const std::vector<std::array<std::uint8_t
     return texture;
 }
 
-/// Returns how often the normal map may be halved: one and a half texels, which filtering reads, have to fit between two charts.
+/// Returns how often the normal map may be halved: one and a half texels, which filtering reads, have to fit
+/// between two charts.
 float smallestCopy(int gutterPx)
 {
     return std::floor(std::log2(2.0f * static_cast<float>(gutterPx) / 1.5f));

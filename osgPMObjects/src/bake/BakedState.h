@@ -17,8 +17,9 @@ namespace osgPMObjects
 class BakedLook
 {
 public:
-    /// `gutterPx`: of the maps. Normals are read only from mipmap levels in which no texel reaches from one chart into the next, as the mean of
-    /// two charts is meaningless; colours from all levels, where a mean of neighbours does less harm than flicker.
+    /// `gutterPx`: of the maps. Normals are read only from mipmap levels in which no texel reaches from one
+    /// chart into the next, as the mean of two charts is meaningless; colours from all levels, where a mean
+    /// of neighbours does less harm than flicker.
     BakedLook(const core::BakedMaps& maps, int gutterPx);
 
     /// Makes a state that draws with the maps what `state` drew with its own textures and colours.

@@ -35,7 +35,8 @@ Finish finishOf(const osg::StateSet& state, const VertexColours& colours)
     static const osg::ref_ptr<const osg::Material> nothingSet = new osg::Material;
     const auto* set = dynamic_cast<const osg::Material*>(state.getAttribute(osg::StateAttribute::MATERIAL));
     const osg::Material& material = set ? *set : *nothingSet;
-    // OSG's initial state: faces take their vertex colours, and those without are light grey, darker in ambient light.
+    // OSG's initial state: faces take their vertex colours, and those without are light grey, darker in
+    // ambient light.
     const Mode mode = set          ? set->getColorMode()
                       : hasColours ? osg::Material::AMBIENT_AND_DIFFUSE
                                    : osg::Material::OFF;

@@ -10,8 +10,9 @@
 namespace osgPMObjects
 {
 
-/// How the surface of a state reflects light, the same everywhere on it. A map holds `base` times texture and vertex colour; `base` is the
-/// largest of the parts it is divided into, so that no part is above 1, the most that an OpenGL material allows.
+/// How the surface of a state reflects light, the same everywhere on it. A map holds `base` times texture and
+/// vertex colour; `base` is the largest of the parts it is divided into, so that no part is above 1, the most
+/// that an OpenGL material allows.
 struct Finish
 {
     bool isLit = true;

@@ -25,9 +25,9 @@ class SurfaceColours
 public:
     explicit SurfaceColours(const ImportedModel& full);
 
-    /// Returns the colour of a point of a face, for a map on a face of another material: this colour times that material's ambient, diffuse and
-    /// emitted light is what the full model shows. It is exact if the two materials are the same, and otherwise
-    /// for diffuse light.
+    /// Returns the colour of a point of a face, for a map on a face of another material: this colour times
+    /// that material's ambient, diffuse and emitted light is what the full model shows. It is exact if the
+    /// two materials are the same, and otherwise for diffuse light.
     glm::vec4 at(std::uint32_t face, const glm::dvec3& weights, std::uint32_t shownWith) const;
 
     const Finish& finish(std::uint32_t material) const { return _finishes[material]; }

@@ -14,12 +14,14 @@
 namespace osgPMObjects
 {
 
-/// The image of a texture, unpacked, and how it is sampled: repeated, mirrored or clamped, with or without interpolation.
+/// The image of a texture, unpacked, and how it is sampled: repeated, mirrored or clamped, with or without
+/// interpolation.
 /// Threads: any number at once.
 class TexturePicture
 {
 public:
-    /// Of a texture without an image in memory, or with a compressed one, nothing can be read: isRead() is false.
+    /// Of a texture without an image in memory, or with a compressed one, nothing can be read: isRead() is
+    /// false.
     explicit TexturePicture(const osg::Texture& texture);
 
     bool isRead() const { return !_texels.empty(); }

@@ -73,7 +73,8 @@ public:
     }
 
 private:
-    /// Returns whether a number in the table is that of a vertex of this geometry; the table keeps those of earlier ones.
+    /// Returns whether a number in the table is that of a vertex of this geometry; the table keeps those of
+    /// earlier ones.
     bool isMine(std::uint32_t vertex, std::uint32_t wedge) const
     {
         return vertex < _wedges.size() && _wedges[vertex] == wedge;
@@ -120,7 +121,8 @@ private:
     std::vector<std::uint32_t> _indices;
 };
 
-/// Returns the face numbers by part, then material, in order of first use, and within these in the order of the mesh.
+/// Returns the face numbers by part, then material, in order of first use, and within these in the order of
+/// the mesh.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
 facesByGeometry(const Mesh& mesh)
 {

@@ -8,8 +8,8 @@
 namespace osgPMObjects
 {
 
-/// Returns what is subtracted from positions before they become floats: their middle, if they lie farther from 0 than four times their
-/// extent, otherwise 0.
+/// Returns what is subtracted from positions before they become floats: their middle, if they lie farther
+/// from 0 than four times their extent, otherwise 0.
 glm::dvec3 floatOrigin(std::span<const glm::dvec3> positions);
 
 } // namespace osgPMObjects

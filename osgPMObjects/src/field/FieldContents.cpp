@@ -45,7 +45,8 @@ foundation::Outcome checkInstance(const std::string& place, const FieldInstance&
     return at(place + ".priority", core::checkSettings(instance.priority));
 }
 
-/// Whether textures cut holes into a shape. The alpha test runs after the shader, so it would also discard fading fragments.
+/// Whether textures cut holes into a shape. The alpha test runs after the shader, so it would also discard
+/// fading fragments.
 bool hasCutOuts(const ProgressiveShape& shape)
 {
     const auto isTested = [](const ProgressiveShape::Group& group)

@@ -13,14 +13,16 @@
 namespace osgPMObjects
 {
 
-/// A shape as a field draws it: its ladder, with the index lists of all rungs in one element buffer, and, where instances
-/// morph, the vertices' targets, and what leaf cards grow by. OSG's own buffer objects hold both. It never changes once the targets are there.
+/// A shape as a field draws it: its ladder, with the index lists of all rungs in one element buffer, and,
+/// where instances morph, the vertices' targets, and what leaf cards grow by. OSG's own buffer objects hold
+/// both. It never changes once the targets are there.
 class FieldMesh : public osg::Referenced
 {
 public:
     explicit FieldMesh(osg::ref_ptr<const ProgressiveShape> shape);
 
-    /// Every vertex's target is what it becomes on the way to the first rung that does not have it. In the update phase.
+    /// Every vertex's target is what it becomes on the way to the first rung that does not have it. In the
+    /// update phase.
     void addTargets();
 
     const ProgressiveShape& shape() const { return *_shape; }

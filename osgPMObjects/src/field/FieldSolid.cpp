@@ -11,7 +11,8 @@ namespace osgPMObjects
 namespace
 {
 
-/// One instance: the shape's vertices come to the field's frame by it. No group's child, whose parents would be as many as there are instances.
+/// One instance: the shape's vertices come to the field's frame by it. No group's child, whose parents would
+/// be as many as there are instances.
 class InstanceNode : public osg::Transform
 {
 public:

@@ -18,12 +18,13 @@ namespace osgPMObjects
 /// A field's sphere as OSG keeps it, in floats, and as much larger as they round.
 osg::BoundingSphere roundedUp(const core::BoundingSphere& sphere);
 
-/// A field as intersections see it: nodes for its cells, below them transforms for the instances, below these the finest level
-/// of their kind. So whatever an intersector does with nodes, it does with cells and instances: one that misses a cell's sphere looks
-/// at none of its instances, and one that misses an instance's at none of its faces.
-/// Nodes stay where they are once made, for paths of hits point to them: those of cells with the first intersection, those of a cell's
-/// instances when the first reaches its sphere.
-/// Memory, once asked for: some 0.3 KB a cell and 0.5 KB an instance of the cells that were reached; per shape that of finestFaces().
+/// A field as intersections see it: nodes for its cells, below them transforms for the instances, below these
+/// the finest level of their kind. So whatever an intersector does with nodes, it does with cells and
+/// instances: one that misses a cell's sphere looks at none of its instances, and one that misses an
+/// instance's at none of its faces. Nodes stay where they are once made, for paths of hits point to them:
+/// those of cells with the first intersection, those of a cell's instances when the first reaches its sphere.
+/// Memory, once asked for: some 0.3 KB a cell and 0.5 KB an instance of the cells that were reached; per
+/// shape that of finestFaces().
 /// Threads: any.
 class FieldSolid
 {

@@ -63,7 +63,8 @@ osg::ref_ptr<osg::Geometry> LadderTargets::geometryOf(const osg::Geometry& array
 {
     const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(arrays, osg::CopyOp::SHALLOW_COPY);
     geometry->setVertexAttribArray(kTargetPositionAttribute, _positions);
-    // What all vertices have, or the state, or nobody, moves nowhere: the shader's functions know it by a normal of 0 and a red below 0.
+    // What all vertices have, or the state, or nobody, moves nowhere: the shader's functions know it by a
+    // normal of 0 and a red below 0.
     const auto isByVertex = [](const osg::Array* array)
     { return array && array->getBinding() == osg::Array::BIND_PER_VERTEX; };
     const osg::Vec3 noNormal;

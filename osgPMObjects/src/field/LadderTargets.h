@@ -10,8 +10,9 @@
 namespace osgPMObjects
 {
 
-/// Where each vertex of a shape lies, and how it looks, on the first rung that does not have it any more: there it has become another vertex, by the
-/// table of parents. One target a vertex does for all rungs, as it vanishes once.
+/// Where each vertex of a shape lies, and how it looks, on the first rung that does not have it any more:
+/// there it has become another vertex, by the table of parents. One target a vertex does for all rungs, as it
+/// vanishes once.
 /// Memory: 12 to 56 B a vertex, by the attributes that there are.
 class LadderTargets
 {

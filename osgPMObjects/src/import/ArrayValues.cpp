@@ -11,7 +11,8 @@ namespace osgPMObjects
 namespace
 {
 
-/// Converts a component as glVertexAttribPointer does. Source: OpenGL 4.5 specification, §2.3.5 (eqs. 2.1 and 2.2).
+/// Converts a component as glVertexAttribPointer does. Source: OpenGL 4.5 specification, §2.3.5 (eqs. 2.1 and
+/// 2.2).
 template<class T>
 double component(T value, bool isNormalised)
 {

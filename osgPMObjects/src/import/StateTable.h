@@ -18,8 +18,8 @@ namespace osgPMObjects
 class StateTable
 {
 public:
-    /// Returns the state that draws what lies below a node with the StateSet `own`, if `above` draws what lies above it (null: nothing is
-    /// set). The same arguments give the same pointer.
+    /// Returns the state that draws what lies below a node with the StateSet `own`, if `above` draws what
+    /// lies above it (null: nothing is set). The same arguments give the same pointer.
     osg::ref_ptr<osg::StateSet> below(const osg::ref_ptr<osg::StateSet>& above, osg::StateSet* own);
 
     /// Returns the material of faces with these attributes that are drawn with `state` (may be null).

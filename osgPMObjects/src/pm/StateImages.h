@@ -18,12 +18,14 @@ struct SeparatedStates
     std::vector<core::PmImage> images; ///< small ones first; the texels name them by their number
 };
 
-/// Takes the images out of states, which are copied for that. Films, and images that cannot be written as files, stay.
+/// Takes the images out of states, which are copied for that. Films, and images that cannot be written as
+/// files, stay.
 /// `folder`: where relative file names of images may begin.
 SeparatedStates separated(const std::vector<osg::ref_ptr<osg::StateSet>>& states,
                           const std::filesystem::path& folder);
 
-/// Puts images in the place of their texels. Returns the number of texels that stay: their image is not there, or is damaged.
+/// Puts images in the place of their texels. Returns the number of texels that stay: their image is not
+/// there, or is damaged.
 std::size_t putBack(const std::vector<core::PmImage>& images,
                     const std::vector<osg::ref_ptr<osg::StateSet>>& states);
 

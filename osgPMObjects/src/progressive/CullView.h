@@ -16,7 +16,8 @@ namespace osgPMObjects
 struct CullView
 {
     osg::Camera* camera = nullptr;
-    /// The main camera, for a shadow or reflection camera that is nested and relative to it: its levels are shown.
+    /// The main camera, for a shadow or reflection camera that is nested and relative to it: its levels are
+    /// shown.
     const osg::Camera* mainCamera = nullptr;
     unsigned int frame = 0;
     double timeS = 0.0;                    ///< time of the simulation

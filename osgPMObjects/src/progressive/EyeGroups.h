@@ -13,10 +13,10 @@
 namespace osgPMObjects
 {
 
-/// The view groups of one drawable thing. Cameras whose eyes coincide share a `Group`, and each camera has a `PerCamera` in it. A camera
-/// that moves takes its group along. A camera that sees the thing at several positions in a frame (below several transforms) has a group
-/// for each of them. A group is dropped when no camera has asked for it for some frames (osgTraversal::isUnused), or its cameras are
-/// gone.
+/// The view groups of one drawable thing. Cameras whose eyes coincide share a `Group`, and each camera has a
+/// `PerCamera` in it. A camera that moves takes its group along. A camera that sees the thing at several
+/// positions in a frame (below several transforms) has a group for each of them. A group is dropped when no
+/// camera has asked for it for some frames (osgTraversal::isUnused), or its cameras are gone.
 /// Threads: one at a time.
 template<class Group, class PerCamera>
 class EyeGroups
@@ -45,7 +45,8 @@ public:
         }
     };
 
-    /// Returns the group of a nested camera's main camera, if that sees the thing at one position only; otherwise it is ambiguous.
+    /// Returns the group of a nested camera's main camera, if that sees the thing at one position only;
+    /// otherwise it is ambiguous.
     /// `isMade(group)`: whether the group has anything to share.
     template<class IsMade>
     Entry* borrowed(const CullView& view, const IsMade& isMade)
@@ -61,8 +62,8 @@ public:
         return found;
     }
 
-    /// Returns the group of an eye, made from `of` if there is none, and makes the camera its member. `reachM`: distance from the 0 of the
-    /// thing to its farthest point.
+    /// Returns the group of an eye, made from `of` if there is none, and makes the camera its member.
+    /// `reachM`: distance from the 0 of the thing to its farthest point.
     template<class... Of>
     Entry& find(const CullView& view, double reachM, const Of&... of)
     {

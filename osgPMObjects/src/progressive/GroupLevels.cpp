@@ -13,8 +13,8 @@ void GroupLevels::make(const core::DrawnLevels& drawn, unsigned int frame,
     makeLevel(drawn.first.level, frame, contextId);
 }
 
-/// Makes both levels of a blend. The index buffer is at one of them already; this one is copied, and the buffer goes on to the other. So a
-/// blend costs the steps of one switch, in whichever direction it runs.
+/// Makes both levels of a blend. The index buffer is at one of them already; this one is copied, and the
+/// buffer goes on to the other. So a blend costs the steps of one switch, in whichever direction it runs.
 void GroupLevels::makeStill(const core::DrawnLevels& drawn, unsigned int frame,
                             std::optional<unsigned int> contextId)
 {

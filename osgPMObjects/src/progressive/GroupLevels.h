@@ -11,8 +11,8 @@
 namespace osgPMObjects
 {
 
-/// What draws the levels of one view group of an object: its index buffer and, only while it switches, a copy of the other level of a blend
-/// or the targets of a morph.
+/// What draws the levels of one view group of an object: its index buffer and, only while it switches, a copy
+/// of the other level of a blend or the targets of a morph.
 class GroupLevels
 {
 public:

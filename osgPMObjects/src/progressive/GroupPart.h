@@ -10,8 +10,8 @@
 namespace osgPMObjects
 {
 
-/// A drawable that cull puts into the render graph: the faces of one material at some level. It never changes, so a frame may be culled
-/// while the frame before is drawn.
+/// A drawable that cull puts into the render graph: the faces of one material at some level. It never
+/// changes, so a frame may be culled while the frame before is drawn.
 class GroupPart : public osg::Drawable
 {
 public:

@@ -8,16 +8,16 @@
 namespace osgPMObjects
 {
 
-/// The switch of one view group of an object from one level to another. The cameras of the group share it: time advances once a frame, with
-/// the first camera that asks.
+/// The switch of one view group of an object from one level to another. The cameras of the group share it:
+/// time advances once a frame, with the first camera that asks.
 class GroupSwitch
 {
 public:
     /// A group may miss so many frames without being reset.
     static constexpr unsigned int kUnseenFrames = 4;
 
-    /// Advances the switch and returns what to draw, without the alpha range. A group that missed more frames is at rest at the target, as no
-    /// camera showed the level before.
+    /// Advances the switch and returns what to draw, without the alpha range. A group that missed more frames
+    /// is at rest at the target, as no camera showed the level before.
     const core::DrawnLevels& advance(std::uint32_t target, const CullView& view,
                                      const core::SwitchSettings& settings, std::uint32_t number);
 

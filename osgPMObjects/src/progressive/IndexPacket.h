@@ -12,8 +12,9 @@
 namespace osgPMObjects
 {
 
-/// What one change of level wrote into an index buffer. It is a copy, so the next change may run while this one is drawn.
-/// It takes a copy of the buffer from state `serial - 1` to state `serial`, or from nothing if `isWhole`.
+/// What one change of level wrote into an index buffer. It is a copy, so the next change may run while this
+/// one is drawn. It takes a copy of the buffer from state `serial - 1` to state `serial`, or from nothing if
+/// `isWhole`.
 /// Threads: immutable once made.
 struct IndexPacket
 {

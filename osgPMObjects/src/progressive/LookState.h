@@ -23,8 +23,8 @@ struct Look
     bool isDrawn() const { return doorFrom < doorTo && alpha > 0.0f; }
 };
 
-/// What a pass over blended faces writes. The first pass writes only the nearest depth, so that the second blends only the nearest faces
-/// with the background, and never faces with each other.
+/// What a pass over blended faces writes. The first pass writes only the nearest depth, so that the second
+/// blends only the nearest faces with the background, and never faces with each other.
 enum class LookPass
 {
     all,
@@ -32,13 +32,13 @@ enum class LookPass
     colour,
 };
 
-/// Sets how a pass tests and writes depth and colours; the caller chooses the bin. `protection`: OSG's override values.
-/// The pass `all` is not allowed, as it leaves these to the state around it.
+/// Sets how a pass tests and writes depth and colours; the caller chooses the bin. `protection`: OSG's
+/// override values. The pass `all` is not allowed, as it leaves these to the state around it.
 void setPass(osg::StateSet& state, LookPass pass,
              osg::StateAttribute::OverrideValue protection = osg::StateAttribute::OFF);
 
-/// Makes the state of a look, to be pushed below that of the group. It is made for each frame, as the frame before may still be drawn.
-/// The pass `all` leaves blending to the group's state.
+/// Makes the state of a look, to be pushed below that of the group. It is made for each frame, as the frame
+/// before may still be drawn. The pass `all` leaves blending to the group's state.
 osg::ref_ptr<osg::StateSet> lookState(const Look& look, LookPass pass, const ProgressiveShape::Group& group);
 
 } // namespace osgPMObjects

@@ -15,7 +15,8 @@ namespace
 
 using core::MorphTargets;
 
-/// Makes an array with a value for each vertex of the finer level; values of vertices that do not move are never read.
+/// Makes an array with a value for each vertex of the finer level; values of vertices that do not move are
+/// never read.
 template<class Array>
 osg::ref_ptr<Array> arrayOf(const MorphTargets& targets, osg::VertexBufferObject* buffer)
 {
@@ -80,7 +81,8 @@ osg::ref_ptr<osg::Vec4Array> texCoordsOf(const MorphTargets& targets, const osg:
     return both;
 }
 
-/// Sets the value of an attribute without an array by vertex. The shader knows it by a normal of 0 or a red below 0, and moves nothing.
+/// Sets the value of an attribute without an array by vertex. The shader knows it by a normal of 0 or a red
+/// below 0, and moves nothing.
 void hold(osg::State& state, unsigned int attribute, GLfloat first)
 {
     const GLfloat value[4] = {first, 0.0F, 0.0F, 0.0F};

@@ -11,10 +11,11 @@
 namespace osgPMObjects
 {
 
-/// The vertices of a level that morphs to a coarser one: the arrays of the shape, and target arrays with the attributes that the coarser
-/// level has, in a vertex buffer of their own, by the numbers of ObjectAttribute. It lives as long as the morph; OSG uploads it to each
-/// context and removes it there.
-/// Memory: 12 to 56 B for each wedge of the finer level, once here and once in each context. Threads: immutable once made.
+/// The vertices of a level that morphs to a coarser one: the arrays of the shape, and target arrays with the
+/// attributes that the coarser level has, in a vertex buffer of their own, by the numbers of ObjectAttribute.
+/// It lives as long as the morph; OSG uploads it to each context and removes it there.
+/// Memory: 12 to 56 B for each wedge of the finer level, once here and once in each context. Threads:
+/// immutable once made.
 class MorphArrays
 {
 public:

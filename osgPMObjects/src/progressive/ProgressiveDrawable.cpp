@@ -27,8 +27,8 @@ bool isScaled(const osg::Matrixd& matrix)
     return false;
 }
 
-/// The state above a scaled object: the fixed functions light it with normals of length 1, as the programs of fields do.
-/// An unscaled one is drawn without it, as its normals need no rounding.
+/// The state above a scaled object: the fixed functions light it with normals of length 1, as the programs of
+/// fields do. An unscaled one is drawn without it, as its normals need no rounding.
 const osg::StateSet* unitNormals()
 {
     static const osg::ref_ptr<osg::StateSet> state = []

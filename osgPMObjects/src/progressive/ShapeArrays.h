@@ -14,7 +14,8 @@ class ShapeArrays
 public:
     ShapeArrays(const core::ProgressiveMesh& progressive, const glm::dvec3& origin);
 
-    /// Makes the arrays of a material as exportNode() does: a colour that all `isUsed` wedges share is one value for all.
+    /// Makes the arrays of a material as exportNode() does: a colour that all `isUsed` wedges share is one
+    /// value for all.
     osg::ref_ptr<osg::Geometry> geometryOf(const core::Material& material,
                                            const std::vector<bool>& isUsed) const;
 
@@ -28,7 +29,8 @@ private:
     osg::ref_ptr<osg::Vec2Array> _texCoords[core::Mesh::kTexCoordSets];
 };
 
-/// Finds, by group and wedge, whether faces of the group use the wedge at any level. Cost: that of applying all steps once.
+/// Finds, by group and wedge, whether faces of the group use the wedge at any level. Cost: that of applying
+/// all steps once.
 std::vector<std::vector<bool>> wedgesByGroup(const core::ProgressiveMesh& progressive);
 
 } // namespace osgPMObjects

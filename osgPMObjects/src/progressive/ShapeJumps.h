@@ -28,8 +28,8 @@ struct JumpedLevel
 
 using JumpedLevelPtr = std::shared_ptr<const JumpedLevel>;
 
-/// Makes any level of a shape in one pass. Applying all steps of 70 000 faces takes some milliseconds, too long for the frame in which an
-/// object comes into sight near by; one pass takes a tenth of a millisecond.
+/// Makes any level of a shape in one pass. Applying all steps of 70 000 faces takes some milliseconds, too
+/// long for the frame in which an object comes into sight near by; one pass takes a tenth of a millisecond.
 /// Memory: that of core::CompactedLevel, once for all view groups. Threads: any.
 class ShapeJumps
 {

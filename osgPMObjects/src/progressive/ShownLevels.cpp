@@ -73,7 +73,8 @@ private:
             if (state) _visitor.popStateSet();
     }
 
-    /// Adds parts to the bin that is sorted by depth: all at the object's depth, each slightly nearer than the one before.
+    /// Adds parts to the bin that is sorted by depth: all at the object's depth, each slightly nearer than
+    /// the one before.
     void addInOrder(GroupPart& part)
     {
         osg::RefMatrix& matrix = *_visitor.getModelViewMatrix();

@@ -22,13 +22,14 @@ struct ShownLevels
 
     bool isBlend() const { return drawn.second.alpha > 0.0f; }
 
-    /// Returns how a group of one of the two levels is drawn. The finer level's pixels come first in the pattern of the screen door, so the
-    /// pattern stays when a switch runs back. A transparent group is blended by screen door, as two transparent layers differ from one.
+    /// Returns how a group of one of the two levels is drawn. The finer level's pixels come first in the
+    /// pattern of the screen door, so the pattern stays when a switch runs back. A transparent group is
+    /// blended by screen door, as two transparent layers differ from one.
     Look lookOf(bool isSecond, bool isTransparent) const;
 };
 
-/// Puts the levels into the render graph, below the states of the groups, in drawing order. `isShaded`: with the program of the shape,
-/// where neither the group nor a node above has one.
+/// Puts the levels into the render graph, below the states of the groups, in drawing order. `isShaded`: with
+/// the program of the shape, where neither the group nor a node above has one.
 void cullLevels(osgUtil::CullVisitor& visitor, const ProgressiveShape& shape, const ShownLevels& shown,
                 bool isShaded);
 

@@ -31,8 +31,8 @@ private:
     osg::ref_ptr<const osg::DrawElements> _faces;
 };
 
-/// A copy of a level that lives as long as a blend, while the index buffer goes on to the other level. So a blend needs no second
-/// progressive level and applies no steps for it.
+/// A copy of a level that lives as long as a blend, while the index buffer goes on to the other level. So a
+/// blend needs no second progressive level and applies no steps for it.
 /// Memory: the indices of the faces, once here and once in each context. Threads: immutable once made.
 class StillLevel
 {

@@ -63,7 +63,8 @@ bool ViewLevel::advance(std::uint32_t steps, unsigned int frame)
     return true;
 }
 
-/// Applies, once a frame, as many steps as take as long as a pass; advance() then applies the rest, if it is no more than that.
+/// Applies, once a frame, as many steps as take as long as a pass; advance() then applies the rest, if it is
+/// no more than that.
 void ViewLevel::followJump(std::uint32_t steps, unsigned int frame)
 {
     if (frame == _jumpFrame || !isFar(steps)) return;
@@ -83,7 +84,8 @@ void ViewLevel::playTo(std::uint32_t steps)
     if (follows) _changed = packetOf(std::move(changes), false);
 }
 
-/// Returns what takes a context from what it was given to the present state; null once a frame has passed since, as it has that by then.
+/// Returns what takes a context from what it was given to the present state; null once a frame has passed
+/// since, as it has that by then.
 IndexPacketPtr ViewLevel::packetFor(unsigned int contextId, unsigned int frame)
 {
     Given& given = _given[contextId];

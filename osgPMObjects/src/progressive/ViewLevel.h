@@ -17,21 +17,24 @@ namespace osgPMObjects
 {
 
 /// The index buffer of one view group of an object, and its copies in the graphics contexts.
-/// A near level is reached step by step. A distant one is made in one pass, as a whole; its steps are applied in the frames that follow, in
-/// each at most twice as many as take as long as the pass; after that, changes are small again.
+/// A near level is reached step by step. A distant one is made in one pass, as a whole; its steps are applied
+/// in the frames that follow, in each at most twice as many as take as long as the pass; after that, changes
+/// are small again.
 /// Invariant: the level that is shown is state `_serial`; packets lead from state to state.
-/// Threads: any. One lock guards the level, another one each context's buffer; the second is never held while waiting for the first.
+/// Threads: any. One lock guards the level, another one each context's buffer; the second is never held while
+/// waiting for the first.
 class ViewLevel
 {
 public:
     explicit ViewLevel(osg::ref_ptr<const ProgressiveShape> shape);
 
-    /// Makes the level after `steps` steps and returns what to draw, the same pointer as long as nothing changes. `contextId`: the context that
-    /// will draw, so that it is given the whole buffer if it needs it; absent: none.
+    /// Makes the level after `steps` steps and returns what to draw, the same pointer as long as nothing
+    /// changes. `contextId`: the context that will draw, so that it is given the whole buffer if it needs it;
+    /// absent: none.
     DrawnLevelPtr at(std::uint32_t steps, unsigned int frame, std::optional<unsigned int> contextId);
 
-    /// Uploads what the context lacks and draws one group. A context that missed packets, because its draw was left out or its objects were
-    /// released, gets the whole buffer in its present state and draws that.
+    /// Uploads what the context lacks and draws one group. A context that missed packets, because its draw
+    /// was left out or its objects were released, gets the whole buffer in its present state and draws that.
     void draw(osg::State& state, const DrawnLevel& drawn, std::uint32_t group);
 
     /// Calls visit(triangle, group) for each face of the present state, under the lock.

@@ -7,7 +7,8 @@
 namespace osgPMObjects
 {
 
-/// Returns the finest level of the cameras that asked in this frame or, as they ask one after the other, in the last one.
+/// Returns the finest level of the cameras that asked in this frame or, as they ask one after the other, in
+/// the last one.
 std::uint32_t ViewLevelTable::finestSteps(const Groups::Entry& entry)
 {
     std::uint32_t steps = std::numeric_limits<std::uint32_t>::max();

@@ -16,7 +16,8 @@ namespace osgPMObjects
 /// Chooses a level for a view; `held` is the state of the camera's last choice.
 using LevelChoice = std::function<core::Selection(const CullView& view, core::HeldLevel& held)>;
 
-/// The view groups of one drawable. Cameras whose eyes coincide share the finest level that one of them needs. Threads: any.
+/// The view groups of one drawable. Cameras whose eyes coincide share the finest level that one of them
+/// needs. Threads: any.
 class ViewLevelTable
 {
 public:
@@ -26,7 +27,8 @@ public:
     ShownLevels find(const CullView& view, const LevelChoice& choice,
                      const ProgressiveDrawable::Switching& switching);
 
-    /// Returns the level of the group that asked last, or, before any, one at `steps` that belongs to no group.
+    /// Returns the level of the group that asked last, or, before any, one at `steps` that belongs to no
+    /// group.
     std::shared_ptr<ViewLevel> latest(std::uint32_t steps);
     std::vector<ProgressiveViewStatistics> statistics() const;
     void releaseGLObjects(osg::State* state);

@@ -12,8 +12,9 @@
 namespace osgPMObjects
 {
 
-/// Does `work` in a child process and returns its bytes or its error. `what` names the work in the error that tells how the child ended: by a
-/// signal, by its time limit, by its memory limit. Output of the child is not shown.
+/// Does `work` in a child process and returns its bytes or its error. `what` names the work in the error that
+/// tells how the child ended: by a signal, by its time limit, by its memory limit. Output of the child is not
+/// shown.
 foundation::Result<std::string> runContained(const std::function<foundation::Result<std::string>()>& work,
                                              const std::string& file, const std::string& what,
                                              const ReadLimits& limits);

@@ -37,8 +37,8 @@ osg::ref_ptr<osg::Texture2D> textureOf(const core::GltfImage& from)
     return texture;
 }
 
-/// Returns the shininess that looks like a roughness. Source: Walter et al., "Microfacet models for refraction", 2007: the
-/// exponent 2/α² - 2 of a Beckmann lobe, with α = roughness² (glTF 2.0, appendix B).
+/// Returns the shininess that looks like a roughness. Source: Walter et al., "Microfacet models for
+/// refraction", 2007: the exponent 2/α² - 2 of a Beckmann lobe, with α = roughness² (glTF 2.0, appendix B).
 float shininess(double roughness)
 {
     const double alpha = std::max(roughness * roughness, 0.1);

@@ -61,7 +61,8 @@ bool isGltf(const std::filesystem::path& file)
     return hasExtension(file, {"gltf", "glb"});
 }
 
-/// Returns what OSG's loader is told besides the name of the file: what the registry says, and for a crowded .obj more.
+/// Returns what OSG's loader is told besides the name of the file: what the registry says, and for a crowded
+/// .obj more.
 osg::ref_ptr<osgDB::Options> loaderOptions(const std::filesystem::path& file)
 {
     const osg::ref_ptr<osgDB::Options> usual = osgDB::Registry::instance()->getOptions();
@@ -85,7 +86,8 @@ foundation::Result<osg::ref_ptr<osg::Node>> finestLevelOfPm(const std::filesyste
     return osg::ref_ptr<osg::Node>(root);
 }
 
-/// Prepares a graph for .osgb: finds one that is nested too deep to be written or read, and removes index arrays, which .osgb would keep.
+/// Prepares a graph for .osgb: finds one that is nested too deep to be written or read, and removes index
+/// arrays, which .osgb would keep.
 class Preparation : public osg::NodeVisitor
 {
 public:

@@ -7,7 +7,8 @@
 namespace osgPMObjects
 {
 
-/// A ProgressiveDrawable that stands alone, without a ProgressiveNode, in a scene file: its shape and its steps.
+/// A ProgressiveDrawable that stands alone, without a ProgressiveNode, in a scene file: its shape and its
+/// steps.
 struct DrawableSerializer
 {
     static bool hasShape(const ProgressiveDrawable& drawable) { return drawable.shape() != nullptr; }

@@ -123,7 +123,8 @@ bool readFieldSettings(osgDB::InputStream& in, ProgressiveField& field)
 
 } // namespace
 
-/// A ProgressiveField in a scene file: its settings, its kinds with their shapes, which the file shares, and a line for each instance.
+/// A ProgressiveField in a scene file: its settings, its kinds with their shapes, which the file shares, and
+/// a line for each instance.
 void addFieldSerializer()
 {
     osgTraversal::addClass<ProgressiveField>("osgPMObjects::ProgressiveField",

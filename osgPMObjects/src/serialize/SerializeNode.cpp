@@ -8,8 +8,9 @@
 namespace osgPMObjects
 {
 
-/// A ProgressiveNode in a scene file: its shape, its settings, and the children beside its drawable. The drawable belongs to views and is
-/// made again, so the node is written as a Node, not as a Group with all of its children.
+/// A ProgressiveNode in a scene file: its shape, its settings, and the children beside its drawable. The
+/// drawable belongs to views and is made again, so the node is written as a Node, not as a Group with all of
+/// its children.
 struct NodeSerializer
 {
     static bool hasShape(const ProgressiveNode& node) { return node.shape() != nullptr; }

@@ -13,8 +13,8 @@
 namespace osgPMObjects
 {
 
-/// A ProgressiveShape in a scene file: its states, as objects that the file shares, and the bytes of a `.pm` file, whose sections have
-/// check sums. The shape is itself an object that the file shares.
+/// A ProgressiveShape in a scene file: its states, as objects that the file shares, and the bytes of a `.pm`
+/// file, whose sections have check sums. The shape is itself an object that the file shares.
 struct ShapeSerializer
 {
     static constexpr const char* kPlace = "progressive shape";

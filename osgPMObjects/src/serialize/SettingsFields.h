@@ -25,7 +25,8 @@ void visitNumbers(auto& boundary, Visit&& visit) requires requires
 namespace osgPMObjects
 {
 
-/// These call visit(name, field) once for every field of settings, both to write them and to read them (osgTraversal/ValueLines).
+/// These call visit(name, field) once for every field of settings, both to write them and to read them
+/// (osgTraversal/ValueLines).
 template<class Settings, class Visit>
 void visitSelection(Settings& selection, Visit& visit)
 {
@@ -109,7 +110,8 @@ void visitFields(Settings& settings, Visit& visit)
     visit("referencePixelsPerTangent", settings.referencePixelsPerTangent);
 }
 
-/// One instance of a field as one value: position, attitude (x, y, z, w), scale, kind, importance, whether it is attended.
+/// One instance of a field as one value: position, attitude (x, y, z, w), scale, kind, importance, whether it
+/// is attended.
 template<class Instance, class Visit>
 void visitNumbers(Instance& instance, Visit&& visit)
 {

@@ -8,8 +8,8 @@
 namespace osgPMObjects
 {
 
-/// An outcome whose error's place begins with `place` instead of its first part: of "attention.gaze" and "ProgressiveField.attention" it makes
-/// "ProgressiveField.attention.gaze".
+/// An outcome whose error's place begins with `place` instead of its first part: of "attention.gaze" and
+/// "ProgressiveField.attention" it makes "ProgressiveField.attention.gaze".
 inline foundation::Outcome at(const std::string& place, const foundation::Outcome& outcome)
 {
     if (outcome) return outcome;

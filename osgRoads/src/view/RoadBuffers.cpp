@@ -91,7 +91,8 @@ void RoadBuffers::bind(osg::State& state, Context& context, std::size_t number) 
     context.bytes += page.bytes();
 }
 
-/// Releases pages that this draw did not need, those not drawn for longest first, until the rest is small enough.
+/// Releases pages that this draw did not need, those not drawn for longest first, until the rest is small
+/// enough.
 void RoadBuffers::releaseOld(Context& context) const
 {
     while (context.bytes > kMostBytes)

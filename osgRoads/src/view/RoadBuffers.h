@@ -23,8 +23,9 @@ struct RoadRange
     std::uint32_t first = 0, count = 0;
 };
 
-/// The buffers of a road mesh in the graphics contexts. The mesh is cut into pages of consecutive chunks; a context has those that were drawn, so
-/// that of a large network only the surroundings of its eyes are held twice. Beyond kMostBytes pages that have not been drawn for longest are released.
+/// The buffers of a road mesh in the graphics contexts. The mesh is cut into pages of consecutive chunks; a
+/// context has those that were drawn, so that of a large network only the surroundings of its eyes are held
+/// twice. Beyond kMostBytes pages that have not been drawn for longest are released.
 /// Threads: draw() in draw threads; release from any.
 class RoadBuffers
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fixed points are round numbers of the order of the zonal means in Körner & Paulsen, "A world-wide study of high
-// altitude treeline temperatures" (2004); they are no fit.
+// The fixed points are round numbers of the order of the zonal means in Körner & Paulsen, "A world-wide study
+// of high altitude treeline temperatures" (2004); they are no fit.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -71,8 +71,10 @@ foundation::Outcome assignWord(Value& target, const RoamEntry& entry, const Word
     return unknownWord(entry, choices);
 }
 
-/// Calls visit(entry) for each line `key = value`; blank lines and what follows a # are passed over. Ends with the first error that it returns.
-/// `name`: for messages, and for paths. `keys`: those that there are, for messages. Errors: a line of another form, with its number.
+/// Calls visit(entry) for each line `key = value`; blank lines and what follows a # are passed over. Ends
+/// with the first error that it returns.
+/// `name`: for messages, and for paths. `keys`: those that there are, for messages. Errors: a line of another
+/// form, with its number.
 foundation::Outcome visitEntries(std::string_view text, const std::filesystem::path& name,
                                  const std::string& keys,
                                  const std::function<foundation::Outcome(const RoamEntry&)>& visit);

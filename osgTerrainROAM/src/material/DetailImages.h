@@ -10,7 +10,8 @@
 namespace osgTerrainROAM
 {
 
-/// The surfaces that the ground has within some metres of the eye, in the order of the layers of `terrainDetail`.
+/// The surfaces that the ground has within some metres of the eye, in the order of the layers of
+/// `terrainDetail`.
 enum class Detail
 {
     grass, ///< blades and their tips
@@ -22,9 +23,10 @@ enum class Detail
 };
 constexpr int kDetails = 6;
 
-/// A square of ground that repeats every kDetailPeriodM metres: red and green: slopes along x and y, blue: height, alpha: brightness, each ½ in
-/// the mean. Painted by stamping some thousand bodies (blades, stones, leaves) on noise; the higher one wins. The same bytes everywhere.
-/// Slopes are in steps of kDetailSlope; heights in 0 … kDetailHeightM. Cost: some 10 ms.
+/// A square of ground that repeats every kDetailPeriodM metres: red and green: slopes along x and y, blue:
+/// height, alpha: brightness, each ½ in the mean. Painted by stamping some thousand bodies (blades, stones,
+/// leaves) on noise; the higher one wins. The same bytes everywhere. Slopes are in steps of kDetailSlope;
+/// heights in 0 … kDetailHeightM. Cost: some 10 ms.
 constexpr int kDetailSide = 256; ///< texels of 5 mm
 constexpr double kDetailPeriodM = 1.28;
 constexpr double kDetailSlope = 2.0;    ///< the slope that ½ stands for

@@ -15,10 +15,11 @@
 namespace osgTerrainROAM
 {
 
-/// Normals of edited ground between the samples of a tile, for shading; the normal map has one texel a sample only. A cell of
-/// the raster with such ground has a page, a layer of a texture array; an index texture holds its number. A texel of a
-/// page holds x and y of the normal and their weight: where the surface is the raster's, the weight is 0 and the normal map counts.
-/// When kMostPages are in use, further cells are shaded by the normal map alone.
+/// Normals of edited ground between the samples of a tile, for shading; the normal map has one texel a sample
+/// only. A cell of the raster with such ground has a page, a layer of a texture array; an index texture holds
+/// its number. A texel of a page holds x and y of the normal and their weight: where the surface is the
+/// raster's, the weight is 0 and the normal map counts. When kMostPages are in use, further cells are shaded
+/// by the normal map alone.
 /// Threads: the update phase. Memory: 175 kB a page, here and on the graphics card.
 class FineNormals
 {

@@ -22,10 +22,10 @@ struct GroundPalette
     float snowShiftM = 0.0f; ///< added to the snow line of early summer
 };
 
-/// The palette of a climate at a time of the year: 0 is the first of January, 1 the last of December, half a year later south of
-/// the equator; without a time it is early summer (June). Leaves, grass and crops change by the month, linearly between the
-/// middles of months: fully from 40° of latitude on, not at all within 10° of the equator.
-/// All numbers were chosen by eye. Pure.
+/// The palette of a climate at a time of the year: 0 is the first of January, 1 the last of December, half a
+/// year later south of the equator; without a time it is early summer (June). Leaves, grass and crops change
+/// by the month, linearly between the middles of months: fully from 40° of latitude on, not at all within 10°
+/// of the equator. All numbers were chosen by eye. Pure.
 GroundPalette groundPalette(const Climate& climate, std::optional<double> yearShare);
 
 /// The look of a class of ground: one albedo, and another one in patches.

@@ -31,7 +31,8 @@ public:
     /// ½: half covered.
     double snow(const GroundSite& site) const;
 
-    /// Noise by position in metres, −½…½: periods of 60 samples (300 m … 6 km), and of 3.73 times that, rotated.
+    /// Noise by position in metres, −½…½: periods of 60 samples (300 m … 6 km), and of 3.73 times that,
+    /// rotated.
     double noiseAt(double eastM, double northM) const;
 
 private:

@@ -139,7 +139,8 @@ glm::dvec2 gridUnder(const core::PixelNet& net, const glm::dvec2& pixel, glm::dv
     return grid;
 }
 
-/// The box of the tile's grid around the border of an image; empty (last below first) where they do not overlap.
+/// The box of the tile's grid around the border of an image; empty (last below first) where they do not
+/// overlap.
 GridBox gridOf(const core::PixelNet& net, const core::PlacedTile& tile, const glm::dvec2& size)
 {
     const GridBox whole = wholeGrid(tile);

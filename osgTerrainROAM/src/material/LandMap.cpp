@@ -24,8 +24,8 @@ unsigned char byteOf(double share)
     return static_cast<unsigned char>(std::lround(std::clamp(share, 0.0, 1.0) * 255.0));
 }
 
-/// Estimates water as waterMask() does, but not where there is no data, whose filler is flat, nor where edits have put samples:
-/// the bed of a road may be level too.
+/// Estimates water as waterMask() does, but not where there is no data, whose filler is flat, nor where edits
+/// have put samples: the bed of a road may be level too.
 std::vector<std::uint8_t> waterOf(MapField heights, const core::PlacedTile& tile, const MapGrid& grid,
                                   const Climate& climate)
 {
@@ -41,8 +41,8 @@ std::vector<std::uint8_t> waterOf(MapField heights, const core::PlacedTile& tile
     return waterMask(heights, grid, climate.seaLevelM, climate.water == core::WaterRule::level);
 }
 
-/// Smooths vegetation and snow over the neighbouring texels: thresholds of single samples would draw the lattice. The weights
-/// are 1, 2, 1 along each axis; beyond the edge its texels count again.
+/// Smooths vegetation and snow over the neighbouring texels: thresholds of single samples would draw the
+/// lattice. The weights are 1, 2, 1 along each axis; beyond the edge its texels count again.
 void smooth(osg::Image& land)
 {
     constexpr int kChannels = 2, kTexelBytes = 4;

@@ -8,8 +8,8 @@
 namespace osgTerrainROAM
 {
 
-/// The raster of a surface map: one texel per sample of a tile's raster or of one of its sheets, or per several samples where
-/// the map would be larger than graphics cards allow.
+/// The raster of a surface map: one texel per sample of a tile's raster or of one of its sheets, or per
+/// several samples where the map would be larger than graphics cards allow.
 struct MapGrid
 {
     static constexpr int kMaxSide = 8192;

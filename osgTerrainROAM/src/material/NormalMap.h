@@ -13,8 +13,8 @@
 namespace osgTerrainROAM
 {
 
-/// Calls visit(x, y, normal) for each texel of the grid, from several threads. The unit normal is that of the full-resolution
-/// surface, by central differences of positions, in the tile's frame.
+/// Calls visit(x, y, normal) for each texel of the grid, from several threads. The unit normal is that of the
+/// full-resolution surface, by central differences of positions, in the tile's frame.
 void visitNormals(const core::PlacedTile& tile, const MapGrid& grid,
                   const std::function<void(int, int, const glm::dvec3&)>& visit);
 
@@ -28,16 +28,16 @@ inline void packNormal(const glm::dvec3& normal, std::uint16_t* out)
     out[1] = packedComponent(normal.y);
 }
 
-/// Makes the normal map: x and y of the unit normal in the tile's frame, 16 bits each (-1…1 on 0…65535); z is positive and
-/// follows. With it shading does not depend on the level of detail, and 16 bits show no bands.
+/// Makes the normal map: x and y of the unit normal in the tile's frame, 16 bits each (-1…1 on 0…65535); z is
+/// positive and follows. With it shading does not depend on the level of detail, and 16 bits show no bands.
 osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& grid);
 
 /// Computes the texels of a normal map again whose samples or neighbours have moved. NormalUpdate.cpp.
 void updateNormals(osg::Image& map, const core::PlacedTile& tile, const MapGrid& grid,
                    std::span<const core::GridRect> moved);
 
-/// Returns where the two values of a texel of a normalMap() begin, counted in values: its rows follow each other without a gap.
-/// osg::Image::data(x, y) works out the size of a texel from its format at each call.
+/// Returns where the two values of a texel of a normalMap() begin, counted in values: its rows follow each
+/// other without a gap. osg::Image::data(x, y) works out the size of a texel from its format at each call.
 inline std::size_t normalOffset(const osg::Image& normalMap, int x, int y)
 {
     const auto width = static_cast<std::size_t>(normalMap.s());

@@ -9,8 +9,9 @@
 namespace osgTerrainROAM
 {
 
-/// Calls work(firstRow, endRow) on bands of rows from several threads and returns when all bands are done. Each row
-/// belongs to one band, so results that are computed row by row do not depend on the number of threads.
+/// Calls work(firstRow, endRow) on bands of rows from several threads and returns when all bands are done.
+/// Each row belongs to one band, so results that are computed row by row do not depend on the number of
+/// threads.
 /// Errors: the first exception of a band is thrown again here, after all have ended.
 inline void parallelRows(int rows, const std::function<void(int, int)>& work)
 {

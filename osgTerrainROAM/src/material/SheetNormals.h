@@ -39,7 +39,8 @@ private:
     std::vector<Map> _maps; ///< coarse before fine
 };
 
-/// The weight of each layer of the grain's bumps over data with this spacing: bumps that the data can show themselves have weight 0.
+/// The weight of each layer of the grain's bumps over data with this spacing: bumps that the data can show
+/// themselves have weight 0.
 osg::Vec4f bumpinessOver(double spacingM);
 
 } // namespace osgTerrainROAM

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source: Wilson and Gallant, Terrain Analysis (2000), chapter 3: the difference from mean elevation over several scales,
-// here computed from an image pyramid.
+// Source: Wilson and Gallant, Terrain Analysis (2000), chapter 3: the difference from mean elevation over
+// several scales, here computed from an image pyramid.
 #include "SkyVisibility.h"
 
 #include <cmath>

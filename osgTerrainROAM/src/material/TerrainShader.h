@@ -9,8 +9,8 @@
 namespace osgTerrainROAM
 {
 
-/// The vertex shader for the vertices of RoamDrawable (shaders/Terrain.vert): outputs fromEye (metres, tile's frame) and
-/// grid (samples).
+/// The vertex shader for the vertices of RoamDrawable (shaders/Terrain.vert): outputs fromEye (metres, tile's
+/// frame) and grid (samples).
 osg::ref_ptr<osg::Shader> terrainVertexShader();
 
 /// What a terrain has beside the land that follows from heights and climate. What it lacks costs nothing.
@@ -30,7 +30,8 @@ struct TerrainLook
         std::nullopt; ///< for another surface (TerrainMaterial::BorrowedLook)
 };
 
-/// The text of the look's fragment shader without main(): vec3 groundRadiance(vec3 directionWorld) and what it needs.
+/// The text of the look's fragment shader without main(): vec3 groundRadiance(vec3 directionWorld) and what
+/// it needs.
 std::string groundText(const TerrainLook& look);
 
 /// The text of the fragment shader of the terrain's own ground.

@@ -7,8 +7,8 @@
 namespace osgTerrainROAM
 {
 
-/// A square, periodic field of gradient noise summed over octaves, scaled to mean ½ and a standard deviation of
-/// 1/6 and clamped to 0…1. The same parameters give the same field, everywhere.
+/// A square, periodic field of gradient noise summed over octaves, scaled to mean ½ and a standard deviation
+/// of 1/6 and clamped to 0…1. The same parameters give the same field, everywhere.
 /// Source: Perlin, "Improving noise" (2002), on a periodic lattice; the gradients come from an integer hash.
 class TileableNoise
 {

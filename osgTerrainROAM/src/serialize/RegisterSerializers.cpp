@@ -11,8 +11,8 @@
 namespace osgTerrainROAM
 {
 
-/// A RoamTerrain in a scene file: its source, settings and atmosphere. It is written as a Node, not as a Group: the drawable
-/// is made anew when the source is opened again.
+/// A RoamTerrain in a scene file: its source, settings and atmosphere. It is written as a Node, not as a
+/// Group: the drawable is made anew when the source is opened again.
 struct TerrainSerializer
 {
     /// Why a terrain cannot be stored; empty: it can.

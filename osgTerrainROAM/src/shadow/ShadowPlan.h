@@ -19,10 +19,11 @@ struct ShadowMap
     bool operator==(const ShadowMap&) const = default;
 };
 
-/// Where the shadow maps of a frame lie: squares round the eye, each wider and coarser than the one before. They neither turn with the
-/// eye nor slide with it: a map moves by whole texels, so the edge of a shadow stays where it is.
-/// With a cell wider than a texel a map stays where it is until the eye has passed from one cell to the next: what does not move need not
-/// be drawn again until then.
+/// Where the shadow maps of a frame lie: squares round the eye, each wider and coarser than the one before.
+/// They neither turn with the eye nor slide with it: a map moves by whole texels, so the edge of a shadow
+/// stays where it is.
+/// With a cell wider than a texel a map stays where it is until the eye has passed from one cell to the next:
+/// what does not move need not be drawn again until then.
 /// Light axes: x and y across the rays, z towards the sun; the origin is the world's.
 struct ShadowPlan
 {
@@ -33,8 +34,8 @@ struct ShadowPlan
     glm::dmat3 lightFromWorld{1.0};
     std::array<ShadowMap, kMaps> maps;
 
-    /// `eye`: world, metres. `sun`: towards it, unit vector. `texels`: a map's side. `cellShare`: side of a cell as a share of a map's
-    /// side, below 0.2; 0: a texel.
+    /// `eye`: world, metres. `sun`: towards it, unit vector. `texels`: a map's side. `cellShare`: side of a
+    /// cell as a share of a map's side, below 0.2; 0: a texel.
     static ShadowPlan of(const glm::dvec3& eye, const glm::dvec3& sun,
                          const std::array<double, kMaps>& reachesM, int texels, double cellShare = 0.0);
 

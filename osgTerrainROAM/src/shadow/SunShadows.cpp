@@ -107,7 +107,8 @@ struct SunShadows::Drawn
     std::vector<osg::BoundingSphere> casters; ///< of the children, in their order
 };
 
-/// What one camera knows of the maps: where they lie, if its picture has maps of its own, and what its programs see of them.
+/// What one camera knows of the maps: where they lie, if its picture has maps of its own, and what its
+/// programs see of them.
 struct SunShadows::View
 {
     osg::observer_ptr<osg::Camera> camera;
@@ -205,8 +206,8 @@ const ShadowPlan& SunShadows::planOf(osg::Camera& root, unsigned int frame)
     return view.plan;
 }
 
-/// The maps that a camera finds which is drawn before the pictures, as that of a mirror: those of the last frame, of a picture whose eye
-/// is near. Null: there are none.
+/// The maps that a camera finds which is drawn before the pictures, as that of a mirror: those of the last
+/// frame, of a picture whose eye is near. Null: there are none.
 const ShadowPlan* SunShadows::lastPlan(const osg::Camera& camera, unsigned int frame) const
 {
     constexpr double kNearM = 20.0;
@@ -291,7 +292,8 @@ void SunShadows::cull(osgUtil::CullVisitor& visitor)
     visitor.pushStateSet(view.state);
     osg::Group::traverse(visitor);
     visitor.popStateSet();
-    // After the picture, whose levels of detail they show; they are drawn before it. Mirrors use those of a picture.
+    // After the picture, whose levels of detail they show; they are drawn before it. Mirrors use those of a
+    // picture.
     if (!isNested && !isFirst) drawMaps(visitor, *plan, eye);
 }
 

@@ -12,8 +12,8 @@
 namespace osgTerrainROAM
 {
 
-/// The raster samples along the border of the data, as a closed loop: south, east, north, west. It gives means over
-/// stretches of the border.
+/// The raster samples along the border of the data, as a closed loop: south, east, north, west. It gives
+/// means over stretches of the border.
 /// Units: a position on the loop is a number of samples, 0 … length(); metres. Threads: immutable.
 class BorderLoop
 {

@@ -6,8 +6,8 @@
 namespace osgTerrainROAM
 {
 
-/// One axis of the maps and the mesh of the surroundings. Its texels divide the data evenly; beyond the data they grow
-/// exponentially with the distance, so that a few reach the horizon: texel k beyond the border lies
+/// One axis of the maps and the mesh of the surroundings. Its texels divide the data evenly; beyond the data
+/// they grow exponentially with the distance, so that a few reach the horizon: texel k beyond the border lies
 /// scale·(e^(k / curve) − 1) grid units from it.
 /// Units: grid coordinates of the tile; texels, counted from the first one.
 class OuterAxis

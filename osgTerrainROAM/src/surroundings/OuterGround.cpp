@@ -16,7 +16,8 @@ constexpr int kReliefSide = 192; ///< cells of the relief along the longer side
 constexpr double kWindow = 0.7;  ///< half width of the stretch of border, as a share of the distance to it
 constexpr double kHillsM[] = {6e3, 25e3, 100e3}; ///< wavelengths of the noise
 
-/// Wavelengths of coasts, the share of a wave by which they swing (six standard deviations), and the most of the distance from the data.
+/// Wavelengths of coasts, the share of a wave by which they swing (six standard deviations), and the most of
+/// the distance from the data.
 constexpr double kCoastsM[] = {1.5e3, 6e3, 25e3, 100e3};
 constexpr double kSwing = 2.0, kSwingPerDistance = 1.2;
 /// How much noise adds to a share of water of one half, for six standard deviations: bays and islands.
@@ -89,8 +90,8 @@ double OuterGround::reliefAt(const glm::dvec2& grid, double texelM) const
                       std::max(1.0, kTexelsACell * texelM / _reliefCellM));
 }
 
-/// The hills beyond the border: those of the data, and noise of wavelengths that the data do not have; each where texels are fine enough
-/// for it.
+/// The hills beyond the border: those of the data, and noise of wavelengths that the data do not have; each
+/// where texels are fine enough for it.
 double OuterGround::hillsM(const glm::dvec2& grid, double distanceM) const
 {
     const double onsetM = std::max(0.02 * _sideM, 8.0 * _spacingM);
@@ -109,7 +110,8 @@ double OuterGround::hillsM(const glm::dvec2& grid, double distanceM) const
     return hills;
 }
 
-/// The noise of all coasts, each limited in proportion to the distance from the data, in metres. `shift`: of the noise, in its periods.
+/// The noise of all coasts, each limited in proportion to the distance from the data, in metres. `shift`: of
+/// the noise, in its periods.
 double OuterGround::coastNoiseM(const glm::dvec2& place, double distanceM, double shift) const
 {
     double noiseM = 0.0;
@@ -119,8 +121,8 @@ double OuterGround::coastNoiseM(const glm::dvec2& place, double distanceM, doubl
     return noiseM;
 }
 
-/// The border beside a place: not the nearest part of it, or coasts would run out in straight lines. They wind, the more the farther
-/// out, and have bays and islands.
+/// The border beside a place: not the nearest part of it, or coasts would run out in straight lines. They
+/// wind, the more the farther out, and have bays and islands.
 BorderLoop::Means OuterGround::borderBeside(const glm::dvec2& grid, const glm::dvec2& border,
                                             double samples) const
 {

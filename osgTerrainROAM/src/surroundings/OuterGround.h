@@ -13,9 +13,10 @@
 namespace osgTerrainROAM
 {
 
-/// The made-up ground beyond the data of a tile. At the border it has the heights and the slopes of the data; farther out it
-/// tends to the mean of a stretch of border that grows with the distance, with hills like those of the data, mirrored, and
-/// with broad noise. Where most of the stretch is water there is water of its level: sea stays sea, and coasts wind.
+/// The made-up ground beyond the data of a tile. At the border it has the heights and the slopes of the data;
+/// farther out it tends to the mean of a stretch of border that grows with the distance, with hills like
+/// those of the data, mirrored, and with broad noise. Where most of the stretch is water there is water of
+/// its level: sea stays sea, and coasts wind.
 /// Units: grid coordinates of the tile (TileGrid), metres. Threads: immutable.
 /// Cost: about 0.3 µs a call.
 class OuterGround
@@ -32,7 +33,8 @@ public:
     /// The ground at a grid position; within the data it is that of the nearest sample.
     Site at(const glm::dvec2& grid) const;
 
-    /// The position in the tile's frame: beyond the data it continues the grid linearly and falls with the Earth's curvature.
+    /// The position in the tile's frame: beyond the data it continues the grid linearly and falls with the
+    /// Earth's curvature.
     glm::dvec3 position(const glm::dvec2& grid, double heightM) const;
 
     /// The gradient of a height in the tile's frame, from that along the grid's axes (metres per grid unit).

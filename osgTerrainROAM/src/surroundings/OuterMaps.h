@@ -11,8 +11,8 @@
 namespace osgTerrainROAM
 {
 
-/// The surface maps of the surroundings, as NormalMap.h and LandMap.h make them of the data. Texel (x, y) is the ground at
-/// the grid position of texel x of the one axis and y of the other.
+/// The surface maps of the surroundings, as NormalMap.h and LandMap.h make them of the data. Texel (x, y) is
+/// the ground at the grid position of texel x of the one axis and y of the other.
 struct OuterMaps
 {
     osg::ref_ptr<osg::Image> normals, land;

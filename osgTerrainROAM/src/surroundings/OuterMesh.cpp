@@ -108,7 +108,8 @@ private:
         addTriangle(v[0], v[2], v[3]);
     }
 
-    /// A cell from `a` to `b` along the border, where it has every sample, and from `c` back to `d`; counter-clockwise.
+    /// A cell from `a` to `b` along the border, where it has every sample, and from `c` back to `d`;
+    /// counter-clockwise.
     void addRimCell(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d)
     {
         const auto steps = std::max(1L, std::lround(glm::length(b - a) / _cell));

@@ -12,8 +12,9 @@
 namespace osgTerrainROAM
 {
 
-/// The triangles of the surroundings. Their inner edge has every sample on the border of the data; a wall below it closes the
-/// gap to the drawn tile, which may be off by its error. Vertices are counted in steps of kStepM.
+/// The triangles of the surroundings. Their inner edge has every sample on the border of the data; a wall
+/// below it closes the gap to the drawn tile, which may be off by its error. Vertices are counted in steps of
+/// kStepM.
 struct OuterMesh
 {
     static constexpr double kStepM = 1.0 / 2048.0; ///< 31 bits of them are 1000 km

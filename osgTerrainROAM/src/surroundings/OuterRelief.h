@@ -6,9 +6,10 @@
 namespace osgTerrainROAM
 {
 
-/// The hills of the data, less the mean of their surroundings, on a coarse grid; each level after the first has half as many cells, of
-/// their means. Beyond the data the grid of the surroundings gets coarser outwards only: relief that is finer than its cells would be
-/// seen as streaks and rows that run straight away from the border.
+/// The hills of the data, less the mean of their surroundings, on a coarse grid; each level after the first
+/// has half as many cells, of their means. Beyond the data the grid of the surroundings gets coarser outwards
+/// only: relief that is finer than its cells would be seen as streaks and rows that run straight away from
+/// the border.
 /// Units: metres; places as shares of the data, 0…1. Threads: immutable.
 /// Source: Williams, *Pyramidal parametrics* (1983); between levels linear.
 class OuterRelief

@@ -23,8 +23,8 @@ namespace
 {
 
 constexpr double kReachM = 300000.0; ///< the horizon from 7000 m
-/// How much higher the surroundings are drawn per metre of distance, about the error of the tile: no gap opens behind its
-/// edge where the tile is drawn above its true height.
+/// How much higher the surroundings are drawn per metre of distance, about the error of the tile: no gap
+/// opens behind its edge where the tile is drawn above its true height.
 constexpr float kLift = 0.0005f;
 
 /// The image of one of the material's maps.

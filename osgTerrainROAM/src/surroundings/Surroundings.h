@@ -42,8 +42,10 @@ private:
     std::map<unsigned int, std::unique_ptr<GpuMesh>> _copies;
 };
 
-/// Draws made-up ground from the border of a tile's data to the horizon, with the tile's own light, colours and haze.
-/// It has no bounds and no triangles for functors: home positions, intersections and ground queries see the data alone.
+/// Draws made-up ground from the border of a tile's data to the horizon, with the tile's own light, colours
+/// and haze.
+/// It has no bounds and no triangles for functors: home positions, intersections and ground queries see the
+/// data alone.
 /// Cull: blocks of triangles, by the frustum. Near and far planes: as RoamDrawable.
 /// Ownership: shares tile and material. Threads: culls and draws from any threads.
 /// Cost: 0.3 s to make, 5 MB; some 20 000 triangles.

@@ -22,8 +22,8 @@ struct ElevationSamples
     }
 };
 
-/// Reads a layer of any kind sample by sample; samples that its ValidDataOperator refuses are void. A tile without an
-/// elevation layer is flat. Empty: fewer than two columns or rows, or no height at all.
+/// Reads a layer of any kind sample by sample; samples that its ValidDataOperator refuses are void. A tile
+/// without an elevation layer is flat. Empty: fewer than two columns or rows, or no height at all.
 std::optional<ElevationSamples> elevationSamples(const osgTerrain::TerrainTile& tile);
 
 } // namespace osgTerrainROAM

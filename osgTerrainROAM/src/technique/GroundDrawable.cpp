@@ -13,7 +13,8 @@ namespace osgTerrainROAM
 namespace
 {
 
-/// The two triangles of a cell, cut as the bintree's finest level is; one where a corner is void, none where more are.
+/// The two triangles of a cell, cut as the bintree's finest level is; one where a corner is void, none where
+/// more are.
 void addCell(const ElevationSamples& samples, int column, int row, std::vector<GLuint>& indices)
 {
     const auto at = [&](int corner)

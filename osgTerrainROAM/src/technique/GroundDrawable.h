@@ -12,9 +12,9 @@
 namespace osgTerrainROAM
 {
 
-/// The true ground of a tile for intersections: two triangles for each cell, without the cells that touch a void.
-/// It is never drawn. The triangles are made on first use, 36 B a sample; where osgDB's registry builds KdTrees, at once
-/// and with a KdTree.
+/// The true ground of a tile for intersections: two triangles for each cell, without the cells that touch a
+/// void. It is never drawn. The triangles are made on first use, 36 B a sample; where osgDB's registry builds
+/// KdTrees, at once and with a KdTree.
 /// Frame: the tile's. Threads: any.
 class GroundDrawable : public osg::Drawable
 {

@@ -12,8 +12,9 @@
 namespace osgTerrainROAM
 {
 
-/// The programs that draw tiles as the fixed functions would, but with normals per pixel: lights, material and fog of the
-/// scene, textures modulated in the order of their units. There is one for each combination of layers, made on first use.
+/// The programs that draw tiles as the fixed functions would, but with normals per pixel: lights, material
+/// and fog of the scene, textures modulated in the order of their units. There is one for each combination of
+/// layers, made on first use.
 /// Threads: any.
 class LayerPrograms
 {

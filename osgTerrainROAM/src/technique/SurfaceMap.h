@@ -19,8 +19,9 @@ struct SurfaceMap
 
 SurfaceMap surfaceMap(const TileGround& ground);
 
-/// Makes the map of voids, one texel a cell: 0 where a corner is void and the cell is left out, 5 where it is whole, 1…4 where only the south-west,
-/// south-east, north-west or north-east corner is missing: half of the cell is drawn. Null: no sample is void.
+/// Makes the map of voids, one texel a cell: 0 where a corner is void and the cell is left out, 5 where it is
+/// whole, 1…4 where only the south-west, south-east, north-west or north-east corner is missing: half of the
+/// cell is drawn. Null: no sample is void.
 osg::ref_ptr<osg::Image> holeMap(const ElevationSamples& samples);
 
 } // namespace osgTerrainROAM

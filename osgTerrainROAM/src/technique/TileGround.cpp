@@ -19,7 +19,8 @@ namespace
 using core::GeodeticNet;
 using core::HeightField;
 
-/// Angle between nodes of the net at which the biquadratic through them leaves the Earth by half a millimetre.
+/// Angle between nodes of the net at which the biquadratic through them leaves the Earth by half a
+/// millimetre.
 constexpr double kNodeRad = 1e-3;
 
 /// Vertices of a small tile on the Earth reach so high; in a plane the units are scaled to fit.
@@ -32,8 +33,8 @@ osg::Vec3d modelAt(const osgTerrain::Locator& locator, double u, double v, doubl
     return model;
 }
 
-/// Places the nodes where the locator puts them, whatever its ellipsoid: their height over WGS84 is stored in the place of
-/// the geoid's.
+/// Places the nodes where the locator puts them, whatever its ellipsoid: their height over WGS84 is stored in
+/// the place of the geoid's.
 GeodeticNet::Node nodeAt(const osgTerrain::Locator& locator, double u, double v)
 {
     const osg::Vec3d p = modelAt(locator, u, v, 0.0);
@@ -70,8 +71,8 @@ void placeOnEarth(HeightField& field, const osgTerrain::Locator& locator)
         height = std::clamp(height, -kMostOnEarthM, kMostOnEarthM);
 }
 
-/// Whether the unit cube keeps an extent in each direction. Asked of the transformation: on the Earth, a side may begin
-/// and end in a pole.
+/// Whether the unit cube keeps an extent in each direction. Asked of the transformation: on the Earth, a side
+/// may begin and end in a pole.
 bool hasExtent(const osgTerrain::Locator& locator)
 {
     const osg::Matrixd& m = locator.getTransform();
@@ -89,7 +90,8 @@ osg::Matrixd modelFromEastNorthUp(const core::Geodetic& origin)
     return {r[0], r[3], r[6], 0, r[1], r[4], r[7], 0, r[2], r[5], r[8], 0, x, y, z, 1};
 }
 
-/// Local units a model unit: databases in degrees have cells of 0.0001, which the vertices' steps were not made for.
+/// Local units a model unit: databases in degrees have cells of 0.0001, which the vertices' steps were not
+/// made for.
 double localPerModel(double cell, double across, double highest)
 {
     double scale = 1.0;
@@ -128,8 +130,8 @@ double skirtHeight(const osgTerrain::TerrainTile& tile)
     return layer && layer->getHeightField() ? layer->getHeightField()->getSkirtHeight() : 0.0;
 }
 
-/// Computes a skirt depth for a neighbour of another level, which has the data at another resolution: twice the change that
-/// halving the resolution makes along the border.
+/// Computes a skirt depth for a neighbour of another level, which has the data at another resolution: twice
+/// the change that halving the resolution makes along the border.
 double levelErrorM(const core::RoamTile& tile)
 {
     const int columns = tile.tile.grid().dataColumns(), rows = tile.tile.grid().dataRows();

@@ -15,7 +15,8 @@ namespace osgTerrainROAM
 {
 
 /// The ground of an osgTerrain tile in the form that refinement needs.
-/// Frames: "model" is the frame of the tile's locator; "local" the RoamTile's, metres or the model's unit times a power of two.
+/// Frames: "model" is the frame of the tile's locator; "local" the RoamTile's, metres or the model's unit
+/// times a power of two.
 struct TileGround
 {
     std::shared_ptr<const core::RoamTile> tile;
@@ -29,8 +30,9 @@ struct TileGround
 /// The locator that places a tile: its elevation layer's, else the first colour layer's, else the tile's own.
 const osgTerrain::Locator* masterLocator(const osgTerrain::TerrainTile& tile);
 
-/// GEOCENTRIC: on the ellipsoid, in the east-north-up frame of the tile's middle. Other types: the plane that the
-/// locator's transformation makes of the unit square. Cost: about 1 µs a sample. Empty: no locator, no heights.
+/// GEOCENTRIC: on the ellipsoid, in the east-north-up frame of the tile's middle. Other types: the plane that
+/// the locator's transformation makes of the unit square. Cost: about 1 µs a sample. Empty: no locator, no
+/// heights.
 std::optional<TileGround> tileGround(const osgTerrain::TerrainTile& tile);
 
 } // namespace osgTerrainROAM

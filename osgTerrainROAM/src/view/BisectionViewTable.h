@@ -46,8 +46,8 @@ private:
     osg::ref_ptr<osg::Geometry> _latest;
 };
 
-/// Makes the triangles of a mesh drawable: with a normal for each vertex, the mean of those of its triangles by area, and TINs in another
-/// colour.
+/// Makes the triangles of a mesh drawable: with a normal for each vertex, the mean of those of its triangles
+/// by area, and TINs in another colour.
 osg::ref_ptr<osg::Geometry> geometryOf(const core::BisectionMesh& mesh);
 
 } // namespace osgTerrainROAM

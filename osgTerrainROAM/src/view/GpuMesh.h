@@ -27,7 +27,8 @@ public:
     /// Precondition: canTake(packet).
     std::size_t upload(osg::State& state, const MeshPacket& packet);
 
-    /// Draws ranges of triangles, or of patches, with the vertex attributes 0 (position, integer) and 1 (grid).
+    /// Draws ranges of triangles, or of patches, with the vertex attributes 0 (position, integer) and 1
+    /// (grid).
     void draw(osg::State& state, std::span<const core::IndexRange> ranges);
 
     /// Hands the buffers to the deletion list of the context; the next packet has to be whole.

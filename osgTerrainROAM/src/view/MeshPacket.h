@@ -10,8 +10,9 @@
 namespace osgTerrainROAM
 {
 
-/// The changes of one refinement, copied out of the mesh so that a later refinement may run while this one is drawn.
-/// A packet takes a copy of the mesh from state `serial - 1` to state `serial`, or from nothing when `whole`.
+/// The changes of one refinement, copied out of the mesh so that a later refinement may run while this one is
+/// drawn. A packet takes a copy of the mesh from state `serial - 1` to state `serial`, or from nothing when
+/// `whole`.
 /// Threads: immutable once made.
 struct MeshPacket
 {

@@ -34,7 +34,8 @@ bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
     if (!sameKind || (_frame != frame && _statistics.refine.sliceBound)) return false;
     const double scale = scaleOf(target);
     const double present = scaleOf(_target);
-    // In this frame another camera of the group may have asked for a stricter mesh; a mesh of an older frame must be equal.
+    // In this frame another camera of the group may have asked for a stricter mesh; a mesh of an older frame
+    // must be equal.
     if (_frame == frame && scale <= present && target.view.nearM >= _target.view.nearM) return true;
     return scale == present && target.view.nearM == _target.view.nearM;
 }
@@ -114,8 +115,8 @@ PacketPtr ViewGroup::wholeNow()
     return _whole;
 }
 
-/// Makes the skirt three times as deep as the drawn surface may be off at that distance: the error of this side, that of the
-/// other side, and a margin.
+/// Makes the skirt three times as deep as the drawn surface may be off at that distance: the error of this
+/// side, that of the other side, and a margin.
 PacketPtr ViewGroup::skirtNow()
 {
     if (_skirt && _skirt->serial == _serial) return _skirt;

@@ -24,7 +24,8 @@
 namespace osgTerrainROAM
 {
 
-/// The target of a group's refinement in one frame: the eye that its cameras share, and the strictest of their scales.
+/// The target of a group's refinement in one frame: the eye that its cameras share, and the strictest of
+/// their scales.
 struct RefineTarget
 {
     viewlod::ViewState view;
@@ -47,8 +48,9 @@ struct ViewAnswer
 
 /// The mesh of one view group, and its copies in the graphics contexts.
 /// Invariant: the mesh is in state _serial; packets take copies from state to state.
-/// Threads: any. _meshMutex guards the mesh; the tile's mutex is taken after it, shared. _gpuMutex guards the map of buffers
-/// and the counts, and is not held while another lock is awaited; each GpuMesh belongs to its context's draw thread.
+/// Threads: any. _meshMutex guards the mesh; the tile's mutex is taken after it, shared. _gpuMutex guards the
+/// map of buffers and the counts, and is not held while another lock is awaited; each GpuMesh belongs to its
+/// context's draw thread.
 class ViewGroup
 {
 public:
@@ -63,8 +65,9 @@ public:
     ViewAnswer answerAsIs(const viewlod::Frustum& frustum, const glm::dvec3& eye,
                           std::optional<unsigned int> contextId);
 
-    /// Uploads and draws an answer. A context that has missed packets (its draw was omitted, its objects were released)
-    /// gets the whole mesh in its present state, with new ranges. Returns the number of triangles drawn.
+    /// Uploads and draws an answer. A context that has missed packets (its draw was omitted, its objects were
+    /// released) gets the whole mesh in its present state, with new ranges. Returns the number of triangles
+    /// drawn.
     std::uint32_t draw(osg::State& state, const ViewAnswer& answer, const viewlod::Frustum& frustum);
 
     /// Calls visit(mesh, ranges) under the lock with ranges that are valid now.

@@ -45,7 +45,8 @@ public:
     };
     Match find(const ViewRequest& request);
 
-    /// The group that was asked for last; before the first request, one refined to `defaultErrorM` for no camera.
+    /// The group that was asked for last; before the first request, one refined to `defaultErrorM` for no
+    /// camera.
     std::shared_ptr<ViewGroup> latest(double defaultErrorM);
     std::vector<ViewGroupStatistics> statistics() const;
     void releaseGLObjects(osg::State* state);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cockpit of a small high-wing aeroplane from its left seat. Other aircraft have its panel and the frames of its windows alone.
+// The cockpit of a small high-wing aeroplane from its left seat. Other aircraft have its panel and the frames
+// of its windows alone.
 #include <cmath>
 
 #include <foundation/Angle.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ball of an attitude indicator: it turns as the Earth does seen from the aircraft, behind a ring that leaves its middle in sight,
-// and before a fixed aeroplane.
+// The ball of an attitude indicator: it turns as the Earth does seen from the aircraft, behind a ring that
+// leaves its middle in sight, and before a fixed aeroplane.
 #include <cmath>
 #include <numbers>
 

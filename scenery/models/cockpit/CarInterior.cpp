@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inside of a car from the driver's seat on its left; vans, buses and lorries have the same without a bonnet.
+// The inside of a car from the driver's seat on its left; vans, buses and lorries have the same without a
+// bonnet.
 #include <cmath>
 
 #include <foundation/Angle.h>

@@ -41,7 +41,8 @@ struct DialHand
     double reach = 0.78, width = 0.07; ///< shares of the dial's radius
 };
 
-/// Returns where a hand stands, clockwise from the top; at the nearer end for a value outside, at the first for none. Units: degrees.
+/// Returns where a hand stands, clockwise from the top; at the nearer end for a value outside, at the first
+/// for none. Units: degrees.
 double handAngleDeg(const DialHand& hand, double value);
 
 /// A coloured arc of a scale.
@@ -51,7 +52,8 @@ struct DialArc
     glm::vec3 colour{1.0F};
 };
 
-/// A round instrument: its face by the scale of its first hand, and its hands from the lowest to the uppermost.
+/// A round instrument: its face by the scale of its first hand, and its hands from the lowest to the
+/// uppermost.
 struct Dial
 {
     std::string_view label;

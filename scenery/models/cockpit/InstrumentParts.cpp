@@ -44,7 +44,8 @@ Model faceModel(Instrument instrument, double radiusM)
     return builder.finish();
 }
 
-/// A flat shape of the plain colour that looks at the eye. `corners`: counter-clockwise, convex about the first.
+/// A flat shape of the plain colour that looks at the eye. `corners`: counter-clockwise, convex about the
+/// first.
 Model flatModel(const std::vector<glm::dvec2>& corners, const glm::vec3& tint)
 {
     ModelBuilder builder;

@@ -37,7 +37,8 @@ void addDrums(InteriorModel& interior, const DrumRow& row, const glm::dmat4& ent
 /// Adds the ball of an attitude indicator (AttitudeBall.cpp).
 void addAttitude(InteriorModel& interior, const PlacedInstrument& placed, const glm::dmat4& entityFromPanel);
 
-/// How the ball of an attitude indicator lies. Frame: the dial's; at rest it shows its horizon level in the middle.
+/// How the ball of an attitude indicator lies. Frame: the dial's; at rest it shows its horizon level in the
+/// middle.
 glm::dmat4 attitudeTurn(double pitchDeg, double rollDeg);
 
 /// The surface of the faces.

@@ -53,8 +53,8 @@ struct InteriorModel
     PanelView panel;                      ///< of a head that reads them
 };
 
-/// Makes the interior of a vehicle of the shape, seen from `eye` (EntityModel::eye): a car's, or the cockpit of an aircraft; nothing for
-/// what one does not sit inside of. Pure. Cost: some milliseconds.
+/// Makes the interior of a vehicle of the shape, seen from `eye` (EntityModel::eye): a car's, or the cockpit
+/// of an aircraft; nothing for what one does not sit inside of. Pure. Cost: some milliseconds.
 std::optional<InteriorModel> makeInterior(const EntityShape& shape, const glm::dvec3& eye);
 
 } // namespace scenery::models

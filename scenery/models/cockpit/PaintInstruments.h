@@ -25,7 +25,8 @@ struct InstrumentCell
 
 InstrumentCell cellOf(Instrument instrument);
 
-/// Paints the faces of all dials, the ball of the attitude indicator and the drums, 1024 × 1024 pixels. Their own colours: no tint.
+/// Paints the faces of all dials, the ball of the attitude indicator and the drums, 1024 × 1024 pixels. Their
+/// own colours: no tint.
 Picture paintInstruments();
 
 inline constexpr int kDrumFigures = 10;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instruments of an aircraft in the arrangement of 14 CFR 23.1321 (airspeed, attitude, altitude above, heading below), the marks of
-// the airspeed indicator by 14 CFR 23.1545 with the speeds of the Cessna 172P's handbook; and those of a car.
+// The instruments of an aircraft in the arrangement of 14 CFR 23.1321 (airspeed, attitude, altitude above,
+// heading below), the marks of the airspeed indicator by 14 CFR 23.1545 with the speeds of the Cessna 172P's
+// handbook; and those of a car.
 #include "scenery/models/cockpit/Panel.h"
 
 #include <array>

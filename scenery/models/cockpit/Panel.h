@@ -36,7 +36,8 @@ enum class Instrument
 /// The dial of an instrument that is one.
 const Dial& dialOf(Instrument instrument);
 
-/// An instrument and its place on a panel. Frame: the panel's as it is looked at, x to the right, y up, from the eye's foot on it.
+/// An instrument and its place on a panel. Frame: the panel's as it is looked at, x to the right, y up, from
+/// the eye's foot on it.
 /// Units: metres.
 struct PlacedInstrument
 {

@@ -8,7 +8,8 @@
 namespace scenery::models
 {
 
-/// Where a head looks, and how high a picture it takes, to read the instruments of a panel. Units: degrees, from straight ahead.
+/// Where a head looks, and how high a picture it takes, to read the instruments of a panel. Units: degrees,
+/// from straight ahead.
 struct PanelView
 {
     double leftDeg = 0.0, upDeg = 0.0;

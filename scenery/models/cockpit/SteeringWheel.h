@@ -6,7 +6,8 @@
 namespace scenery::models
 {
 
-/// Makes a steering wheel with three spokes, one of them downwards. Frame: x to the right, y up, z to the driver, origin in its middle.
+/// Makes a steering wheel with three spokes, one of them downwards. Frame: x to the right, y up, z to the
+/// driver, origin in its middle.
 Model makeSteeringWheel(double radiusM);
 
 } // namespace scenery::models

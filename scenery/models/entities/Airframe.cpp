@@ -40,7 +40,8 @@ struct AircraftPose
         return pose;
     }
 
-    /// A trailing edge that goes down turns against the axis to the left, one that goes left against the axis upwards.
+    /// A trailing edge that goes down turns against the axis to the left, one that goes left against the axis
+    /// upwards.
     static double angleOf(AircraftJoint joint, const AircraftMotion& motion)
     {
         switch (joint)

@@ -56,7 +56,8 @@ public:
     void addSurface(AircraftJoint joint, const std::vector<AerofoilStation>& stations, double hingeShare,
                     const glm::vec3& tint);
 
-    /// Adds a wing or a tailplane on both sides with a hinged surface on each: stations from the root to the tip on the left.
+    /// Adds a wing or a tailplane on both sides with a hinged surface on each: stations from the root to the
+    /// tip on the left.
     /// `hinged`: indices of the first and last station of the surface.
     struct Wing
     {
@@ -81,10 +82,12 @@ public:
     void addLamp(EntityLamp::Kind kind, const glm::dvec3& at, double asideRad, double halfAngleRad,
                  bool looksAhead = true);
 
-    /// The lamps on the wing tips and at the tail that the rules of the air ask for, strobes beside them, and a beacon.
+    /// The lamps on the wing tips and at the tail that the rules of the air ask for, strobes beside them, and
+    /// a beacon.
     void addNavigationLamps(const glm::dvec3& leftTip, const glm::dvec3& tail, const glm::dvec3& beacon);
 
-    /// Returns the model, `scale` times as large as it was built; as it was built, up to a tenth of difference. `eye`: as it was built.
+    /// Returns the model, `scale` times as large as it was built; as it was built, up to a tenth of
+    /// difference. `eye`: as it was built.
     EntityModel finish(double scale, const glm::dvec3& eye);
 
 private:
@@ -93,11 +96,12 @@ private:
     ModelBuilder _body;
 };
 
-/// Adds the blades of a rotor about its hub, where they are before they turn. Precondition: a part with the texture roadSigns has begun.
+/// Adds the blades of a rotor about its hub, where they are before they turn. Precondition: a part with the
+/// texture roadSigns has begun.
 void addBlades(ModelBuilder& builder, const EntityRotor& rotor, int blades, double chordM);
 
-/// Adds a band over the rings of a loft, from one ring and one point to others, a little above it: a window, a stripe. Points are
-/// counted as addLoft() places them. Precondition: a part has begun.
+/// Adds a band over the rings of a loft, from one ring and one point to others, a little above it: a window,
+/// a stripe. Points are counted as addLoft() places them. Precondition: a part has begun.
 struct LoftBand
 {
     std::size_t fromRing, toRing;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A twin-jet airliner of the single-aisle class: 37.6 m long, 35.8 m span, 11.8 m high. Origin: on the ground below the main wheels.
+// A twin-jet airliner of the single-aisle class: 37.6 m long, 35.8 m span, 11.8 m high. Origin: on the ground
+// below the main wheels.
 #include "scenery/models/entities/Airframe.h"
 #include "scenery/models/entities/EntityGenerators.h"
 

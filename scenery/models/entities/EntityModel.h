@@ -15,7 +15,8 @@
 namespace scenery::models
 {
 
-/// Where the moving parts of an aircraft are. Trailing edges: down, that of the rudder to the left. Units: radians, rad/s, metres.
+/// Where the moving parts of an aircraft are. Trailing edges: down, that of the rudder to the left. Units:
+/// radians, rad/s, metres.
 struct AircraftMotion
 {
     double elevatorRad = 0.0, leftAileronRad = 0.0, rightAileronRad = 0.0, rudderRad = 0.0, flapRad = 0.0;
@@ -108,8 +109,8 @@ struct EntityModel
     }
 };
 
-/// Generates the model of an entity. Pure. Precondition: isPlausible() of UsualSize.h. Axles that are missing are added,
-/// and wheels that are too large for the body are made smaller. Cost: 1 to 20 ms.
+/// Generates the model of an entity. Pure. Precondition: isPlausible() of UsualSize.h. Axles that are missing
+/// are added, and wheels that are too large for the body are made smaller. Cost: 1 to 20 ms.
 EntityModel makeEntityModel(EntityShape shape);
 
 } // namespace scenery::models

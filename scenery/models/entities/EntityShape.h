@@ -66,7 +66,8 @@ struct AxleShape
 };
 
 /// The size of an entity; equal shapes share one model.
-/// Frame: the entity's, as in OpenSCENARIO: x forward, y left, z up, origin on the ground below the rear axle.
+/// Frame: the entity's, as in OpenSCENARIO: x forward, y left, z up, origin on the ground below the rear
+/// axle.
 /// Units: metres; colours as display values.
 struct EntityShape
 {

@@ -15,7 +15,8 @@ struct Gait
     /// The share of the full step: 0 standing, 1 from a slow walk on.
     static double vigour(double speedMps);
 
-    /// Returns how far around its stride a foot is, 0…1. `offset`: its share of the stride ahead of the first foot.
+    /// Returns how far around its stride a foot is, 0…1. `offset`: its share of the stride ahead of the first
+    /// foot.
     double phase(double odometerM, double offset) const;
 };
 
@@ -26,8 +27,8 @@ struct FootPlace
     double toeDownRad = 0.0;
 };
 
-/// Returns the place of a foot. A standing foot keeps its place on the ground at full vigour, because it moves back as
-/// far as the body moves ahead.
+/// Returns the place of a foot. A standing foot keeps its place on the ground at full vigour, because it
+/// moves back as far as the body moves ahead.
 FootPlace footPlace(const Gait& gait, const EntityMotion& motion, double offset);
 
 } // namespace scenery::models

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A single-seat glider of 15 m span with a T-tail, 6.8 m long, 1.4 m high, on one wheel. Origin: on the ground below the wheel.
+// A single-seat glider of 15 m span with a T-tail, 6.8 m long, 1.4 m high, on one wheel. Origin: on the
+// ground below the wheel.
 #include "scenery/models/entities/Airframe.h"
 #include "scenery/models/entities/EntityGenerators.h"
 

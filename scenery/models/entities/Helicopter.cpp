@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A light helicopter on skids: 11 m long without its rotor, three blades of 5.3 m, 3.2 m high. Origin: on the ground below the cabin's
-// middle of mass.
+// A light helicopter on skids: 11 m long without its rotor, three blades of 5.3 m, 3.2 m high. Origin: on the
+// ground below the cabin's middle of mass.
 #include "scenery/models/entities/Airframe.h"
 #include "scenery/models/entities/EntityGenerators.h"
 

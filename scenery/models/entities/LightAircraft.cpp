@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A single-engined high-wing aeroplane, 8.1 m long, 11 m span, 2.75 m high. Origin: on the ground below the axle of the main wheels.
+// A single-engined high-wing aeroplane, 8.1 m long, 11 m span, 2.75 m high. Origin: on the ground below the
+// axle of the main wheels.
 #include "scenery/models/entities/Airframe.h"
 #include "scenery/models/entities/EntityGenerators.h"
 #include "scenery/models/entities/LightAircraftForm.h"
@@ -17,7 +18,8 @@ void addLightFuselage(ModelBuilder& body, const glm::vec3& trim)
     const auto rings = fuselageRings({kLightSections.begin(), kLightSections.end()}, kLightRoundness);
     body.begin("fuselage", kAircraftPaint, kAircraftWhite);
     addLoft(body, rings, kLightSides);
-    // Ring points run from the left side (0) over the top (8) to the right side (16). Ring 0 is the tail's tip.
+    // Ring points run from the left side (0) over the top (8) to the right side (16). Ring 0 is the tail's
+    // tip.
     body.begin("windows", kAircraftPaint, kCanopy);
     addBand(body, rings, kLightSides, {9, 11, 2, 14}); // windscreen
     for (const auto& [from, to] : {std::pair{1, 5}, {11, 15}})

@@ -5,8 +5,8 @@
 
 #include "scenery/models/entities/Airframe.h"
 
-/// The measures of the single-engined aeroplane that are seen from outside and from its seat. Origin: on the ground below the axle of
-/// the main wheels. Units: metres.
+/// The measures of the single-engined aeroplane that are seen from outside and from its seat. Origin: on the
+/// ground below the axle of the main wheels. Units: metres.
 namespace scenery::models
 {
 

@@ -8,8 +8,8 @@
 namespace scenery::models
 {
 
-/// The lengths of a person. Source: Winter, *Biomechanics and Motor Control of Human Movement*, 2009, figure 4.1,
-/// after Drillis and Contini, 1966. Units: metres.
+/// The lengths of a person. Source: Winter, *Biomechanics and Motor Control of Human Movement*, 2009, figure
+/// 4.1, after Drillis and Contini, 1966. Units: metres.
 struct PersonSize
 {
     explicit PersonSize(double heightM) : height(heightM) {}
@@ -42,7 +42,8 @@ void addArm(ModelBuilder& builder, const PersonSize& size, const PersonColours& 
 void addLeg(ModelBuilder& builder, const PersonSize& size, const PersonColours& colours,
             const glm::dvec3& hip, const glm::dvec3& knee, const glm::dvec3& foot);
 
-/// The bones of a leg, each in its own frame: thigh and shank hang from the origin, the shoe has the ankle there.
+/// The bones of a leg, each in its own frame: thigh and shank hang from the origin, the shoe has the ankle
+/// there.
 Model makeThigh(const PersonSize& size, const PersonColours& colours);
 Model makeShank(const PersonSize& size, const PersonColours& colours);
 Model makeShoe(const PersonSize& size, const PersonColours& colours);

@@ -75,9 +75,9 @@ public:
     }
 
 private:
-    /// Adds a narrow part of a lamp on both sides, which lies on the body. `across`: y of its ends; `up`: z of its middle and
-    /// its height; in the form's frame. Nothing where the body has ended or turned to its side, unless
-    /// it is flat.
+    /// Adds a narrow part of a lamp on both sides, which lies on the body. `across`: y of its ends; `up`: z
+    /// of its middle and its height; in the form's frame. Nothing where the body has ended or turned to its
+    /// side, unless it is flat.
     void strip(EntityLamp::Kind left, EntityLamp::Kind right, const glm::dvec2& across, const glm::dvec2& up,
                bool looksAhead, bool isFlat = false)
     {

@@ -30,8 +30,9 @@ struct ShadowView
     double heightM = 0.0;          ///< of the body's origin above the plane; it makes the edge softer
 };
 
-/// Casts the shadow of a model with its parts at `pose`. The middle of the grid is where the body's origin casts its shadow, moved by
-/// as much as the body is aside. The edge is blurred as the width of the sun, half a degree, makes it. Cost: about 0.3 ms.
+/// Casts the shadow of a model with its parts at `pose`. The middle of the grid is where the body's origin
+/// casts its shadow, moved by as much as the body is aside. The edge is blurred as the width of the sun, half
+/// a degree, makes it. Cost: about 0.3 ms.
 ShadowMask castShadow(const EntityModel& model, const std::vector<glm::dmat4>& pose, const ShadowView& view);
 
 } // namespace scenery::models

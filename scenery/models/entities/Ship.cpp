@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cargo ship from 25 m of length on, below that a motor boat. Origin: in the plane of the water, at the middle of its length.
+// A cargo ship from 25 m of length on, below that a motor boat. Origin: in the plane of the water, at the
+// middle of its length.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +21,8 @@ const Surface kShipPaint{Painting::roadSigns, Coat::lacquered};
 constexpr glm::vec3 kWhiteShip(0.90F, 0.90F, 0.88F), kGlassOfShip(0.08F, 0.10F, 0.12F),
     kDeck(0.42F, 0.36F, 0.30F);
 
-/// A hull from its stern to its bow: shares of length and width, its lower edge (the keel) and its sheer as shares of the freeboard.
+/// A hull from its stern to its bow: shares of length and width, its lower edge (the keel) and its sheer as
+/// shares of the freeboard.
 struct HullStation
 {
     double along, wide, keel, sheer;

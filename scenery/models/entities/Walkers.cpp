@@ -24,7 +24,8 @@ PersonColours coloursOf(const EntityShape& shape)
     return colours;
 }
 
-/// Returns how high the hips are above the ground: lower while a foot is far ahead, as over an inverted pendulum.
+/// Returns how high the hips are above the ground: lower while a foot is far ahead, as over an inverted
+/// pendulum.
 double hipHeight(const PersonSize& size, const Gait& gait, const EntityMotion& motion)
 {
     constexpr double kStraight = 0.997, kFollowed = 0.92;

@@ -16,7 +16,8 @@ namespace
 
 constexpr int kChordSteps = 9; ///< along the chord
 
-/// Half the thickness at a share of the chord, over chord and thickness. The last coefficient closes the trailing edge.
+/// Half the thickness at a share of the chord, over chord and thickness. The last coefficient closes the
+/// trailing edge.
 double aerofoilHalf(double c)
 {
     return 5.0 * (0.2969 * std::sqrt(c) - 0.1260 * c - 0.3516 * c * c + 0.2843 * c * c * c -

@@ -8,7 +8,8 @@
 namespace scenery::models
 {
 
-/// A cross-section of a wing or a fin: a symmetric aerofoil that looks along x. Units: metres; thickness over chord.
+/// A cross-section of a wing or a fin: a symmetric aerofoil that looks along x. Units: metres; thickness over
+/// chord.
 struct AerofoilStation
 {
     glm::dvec3 leadingEdge{0.0};
@@ -25,7 +26,8 @@ inline glm::dvec3 chordPoint(const AerofoilStation& station, double share)
     return station.leadingEdge - glm::dvec3(share * station.chordM, 0.0, 0.0);
 }
 
-/// The part of a wing between two shares of its chord, through two stations or more: all of it, or what a hinge divides.
+/// The part of a wing between two shares of its chord, through two stations or more: all of it, or what a
+/// hinge divides.
 struct WingPanel
 {
     std::vector<AerofoilStation> stations;
@@ -33,7 +35,8 @@ struct WingPanel
 };
 
 /// Adds the closed surface of a panel. Precondition: a part with the texture roadSigns has begun.
-/// Source: Jacobs, Ward & Pinkerton, NACA Report 460, 1933: the thickness distribution of four-digit aerofoils.
+/// Source: Jacobs, Ward & Pinkerton, NACA Report 460, 1933: the thickness distribution of four-digit
+/// aerofoils.
 void addWingPanel(ModelBuilder& builder, const WingPanel& panel);
 
 } // namespace scenery::models

@@ -10,7 +10,8 @@
 namespace scenery::models
 {
 
-/// The cells of the texture houseDetails, 4 × 4 from the lower left: windows, doors and fittings of walls and roofs.
+/// The cells of the texture houseDetails, 4 × 4 from the lower left: windows, doors and fittings of walls and
+/// roofs.
 enum class Detail : std::uint8_t
 {
     window,     ///< two sashes
@@ -29,7 +30,8 @@ enum class Detail : std::uint8_t
     skylight,
 };
 
-/// The corners of a cell in texture coordinates, slightly inside its edges, so that neighbours do not bleed in.
+/// The corners of a cell in texture coordinates, slightly inside its edges, so that neighbours do not bleed
+/// in.
 struct CellUv
 {
     glm::vec2 low, high;

@@ -23,7 +23,8 @@ constexpr double kGableStoreyM = 2.75;
 constexpr double kGableSillM = 0.92;
 constexpr double kGableHeadM = 2.30;
 
-/// Adds windows to a wall, `axes` in each storey, evenly spaced. On the ground floor a door replaces window `doorAxis`.
+/// Adds windows to a wall, `axes` in each storey, evenly spaced. On the ground floor a door replaces window
+/// `doorAxis`.
 void addAxes(Wall& wall, int storeys, int axes, int doorAxis, Detail window)
 {
     const double pitch = wall.lengthM / axes;

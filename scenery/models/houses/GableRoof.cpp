@@ -18,8 +18,8 @@ class Slab
 public:
     explicit Slab(const GableRoof& roof) : _roof(roof) {}
 
-    /// Returns a point of the cross section at an end. Counter-clockwise, seen against the axis: 0 to 2 eave, ridge and eave of
-    /// the upper side, 3 to 5 those of the lower side.
+    /// Returns a point of the cross section at an end. Counter-clockwise, seen against the axis: 0 to 2 eave,
+    /// ridge and eave of the upper side, 3 to 5 those of the lower side.
     glm::dvec3 place(std::size_t end, std::size_t point) const
     {
         const double eave = _roof.halfWidth + _roof.overhang;

@@ -6,8 +6,8 @@
 namespace scenery::models
 {
 
-/// A gable roof: a slab bent along its ridge. `base`: the point below the ridge at the height where the lower side of
-/// the slab meets the walls. `axis`: along the ridge, unit length, level. Units: metres.
+/// A gable roof: a slab bent along its ridge. `base`: the point below the ridge at the height where the lower
+/// side of the slab meets the walls. `axis`: along the ridge, unit length, level. Units: metres.
 struct GableRoof
 {
     glm::dvec3 base{0.0}, axis{1.0, 0.0, 0.0};
@@ -26,8 +26,8 @@ struct GableRoof
 /// The period of the roof texture in metres, in both axes.
 constexpr double kRoofPictureM = 2.4;
 
-/// Adds the closed roof: tiles above, boards below and at the edges, a row of ridge tiles, and a gutter along each
-/// eave where asked for.
+/// Adds the closed roof: tiles above, boards below and at the edges, a row of ridge tiles, and a gutter along
+/// each eave where asked for.
 void addGableRoof(ModelBuilder& builder, const GableRoof& roof, const Surface& tiles, const glm::vec3& tint,
                   bool hasGutters);
 

@@ -36,7 +36,8 @@ void addSkylights(ModelBuilder& builder, const HouseShell& shell, int count)
             const double x = -0.5 * shell.lengthM + (i + 0.5) * pitch;
             const auto cornerAt = [&](std::size_t end, std::size_t point, std::size_t)
             {
-                // Points seen against +x: 0 top of the lower edge, 1 top of the upper edge, 2 and 3 the bottoms of both.
+                // Points seen against +x: 0 top of the lower edge, 1 top of the upper edge, 2 and 3 the
+                // bottoms of both.
                 const bool isUpper = point == 1 || point == 2;
                 const double across = (isUpper ? 0.30 : 0.72) * roof.halfWidth;
                 const double lift = point <= 1 ? 0.06 : -0.05;

@@ -18,9 +18,9 @@ struct Opening
     bool hasSill = true;
 };
 
-/// A flat upright wall. `start`: its left end seen from outside, z = 0; `along`: unit vector to the right. `rows`:
-/// increasing heights at which its faces are cut, the same for all walls of a house, so that there are no cracks at
-/// the corners; they must contain the bottoms and tops of its openings.
+/// A flat upright wall. `start`: its left end seen from outside, z = 0; `along`: unit vector to the right.
+/// `rows`: increasing heights at which its faces are cut, the same for all walls of a house, so that there
+/// are no cracks at the corners; they must contain the bottoms and tops of its openings.
 struct Wall
 {
     glm::dvec3 start{0.0}, along{1.0, 0.0, 0.0};
@@ -37,7 +37,8 @@ struct Wall
 /// The period of the wall texture in metres, in both axes.
 constexpr double kWallPictureM = 2.4;
 
-/// Adds the face of the wall with the reveals of its openings. Precondition: a part of the wall surface has begun.
+/// Adds the face of the wall with the reveals of its openings. Precondition: a part of the wall surface has
+/// begun.
 void addWallFace(ModelBuilder& builder, const Wall& wall);
 
 /// Adds panes, doors and sills. Precondition: a part of the details surface has begun.

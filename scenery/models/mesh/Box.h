@@ -17,9 +17,11 @@ struct Box
 };
 void addBox(ModelBuilder& builder, const Box& box);
 
-/// Adds a closed bar of one cross section between two points. `profile`: counter-clockwise seen from the end, an even
-/// number of points, convex or a strip of quads (point i faces point n - 1 - i), as its ends are closed that way.
-/// `cornerAt(end, point, face)`: end 0 or 1, the index of the point, and the side of the corner (the ends come last).
+/// Adds a closed bar of one cross section between two points. `profile`: counter-clockwise seen from the end,
+/// an even number of points, convex or a strip of quads (point i faces point n - 1 - i), as its ends are
+/// closed that way.
+/// `cornerAt(end, point, face)`: end 0 or 1, the index of the point, and the side of the corner (the ends
+/// come last).
 template<class PlaceAt>
 void addPrism(ModelBuilder& builder, std::size_t points, const PlaceAt& cornerAt)
 {

@@ -16,7 +16,8 @@ struct LoftRing
     double power = 2.0;                ///< 2: an ellipse; more: towards a rectangle
 };
 
-/// Adds the surface over rings in order, one plain colour. It is closed when the first and the last ring are tips.
+/// Adds the surface over rings in order, one plain colour. It is closed when the first and the last ring are
+/// tips.
 /// `sides`: points of a ring, a multiple of 4. Precondition: a part with the texture roadSigns has begun.
 void addLoft(ModelBuilder& builder, const std::vector<LoftRing>& rings, int sides);
 
@@ -27,7 +28,8 @@ struct HullSection
 };
 void addHull(ModelBuilder& builder, const std::vector<HullSection>& sections, double power = 8.0);
 
-/// Adds a closed round limb between two points, with rounded ends that reach `fromRadiusM` and `toRadiusM` past them.
+/// Adds a closed round limb between two points, with rounded ends that reach `fromRadiusM` and `toRadiusM`
+/// past them.
 void addLimb(ModelBuilder& builder, const glm::dvec3& from, const glm::dvec3& to, double fromRadiusM,
              double toRadiusM);
 

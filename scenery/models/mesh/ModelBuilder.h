@@ -25,8 +25,9 @@ struct Corner
     float light = 1.0F;     ///< share of the sky it sees; darkens the tint
 };
 
-/// Builds a model of triangles. Positions are rounded to 1/4096 m, so that positions computed in two ways agree to
-/// the last bit on every machine. Faces with two equal positions are left out, as where a ring shrinks to a point.
+/// Builds a model of triangles. Positions are rounded to 1/4096 m, so that positions computed in two ways
+/// agree to the last bit on every machine. Faces with two equal positions are left out, as where a ring
+/// shrinks to a point.
 class ModelBuilder
 {
 public:
@@ -45,12 +46,12 @@ public:
     void triangle(const Corner& a, const Corner& b, const Corner& c);
     void quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
 
-    /// Adds rows of equal length joined by quads. Outside is the side from which row r runs to the right below row r
-    /// + 1.
+    /// Adds rows of equal length joined by quads. Outside is the side from which row r runs to the right
+    /// below row r + 1.
     void grid(const std::vector<std::vector<Corner>>& rows);
 
-    /// Finishes the model: computes missing normals (edges sharper than `creaseDeg` stay sharp), joins equal wedges,
-    /// measures the size.
+    /// Finishes the model: computes missing normals (edges sharper than `creaseDeg` stay sharp), joins equal
+    /// wedges, measures the size.
     Model finish(double creaseDeg = 42.0);
 
 private:

@@ -19,9 +19,9 @@ struct Tube
     std::vector<float> light;     ///< by point, or empty for 1
 };
 
-/// Adds the closed surface of a tube, with normals perpendicular to the line. The frame is carried along without
-/// twist: the frame of a ring is that of the ring before, turned by the smallest rotation that makes it perpendicular
-/// to the line.
+/// Adds the closed surface of a tube, with normals perpendicular to the line. The frame is carried along
+/// without twist: the frame of a ring is that of the ring before, turned by the smallest rotation that makes
+/// it perpendicular to the line.
 void addTube(ModelBuilder& builder, const Tube& tube);
 
 /// Returns a straight tube between two points.

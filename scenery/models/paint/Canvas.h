@@ -12,9 +12,10 @@
 namespace scenery::models
 {
 
-/// An image being painted: red, green, blue, alpha from 0 to 1, y upwards. Painting replaces all four channels, so
-/// the edge of a cut-out leaf has the colour of the leaf instead of a dark rim.
-/// Units: positions and lengths in pixels times `scale` about `origin`, so that parts can be painted in metres.
+/// An image being painted: red, green, blue, alpha from 0 to 1, y upwards. Painting replaces all four
+/// channels, so the edge of a cut-out leaf has the colour of the leaf instead of a dark rim.
+/// Units: positions and lengths in pixels times `scale` about `origin`, so that parts can be painted in
+/// metres.
 class Canvas
 {
 public:

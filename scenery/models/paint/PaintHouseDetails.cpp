@@ -43,7 +43,8 @@ public:
             }
     }
 
-    /// Paints a pane: a dark room behind it, a reflection of the sky that is brighter towards the top, and a light slanting band.
+    /// Paints a pane: a dark room behind it, a reflection of the sky that is brighter towards the top, and a
+    /// light slanting band.
     void glass(const glm::vec2& low, const glm::vec2& high, bool hasCurtain)
     {
         constexpr int kBands = 24;

@@ -64,8 +64,8 @@ void paintLeaf(Canvas& canvas, const LeafLook& look, const glm::vec2& stalk, con
                   {0.05F * look.width, 0.02F * look.width}, glm::vec4(colour * 1.3F + 0.02F, 1.0F));
 }
 
-/// Paints twigs that fan out, and leaves scattered over an oval, which point more or less outwards. The first leaves lie
-/// behind the others and are darker.
+/// Paints twigs that fan out, and leaves scattered over an oval, which point more or less outwards. The first
+/// leaves lie behind the others and are darker.
 Picture paintCluster(const LeafLook& look)
 {
     Canvas canvas(kLeavesSizePx, kLeavesSizePx, glm::vec4(look.colour, 0.0F));

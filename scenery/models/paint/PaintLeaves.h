@@ -6,8 +6,8 @@
 namespace scenery::models
 {
 
-/// Paints a cluster of leaves on its twig, 512 × 512, cut out by alpha; the twig enters at the middle of the lower
-/// edge.
+/// Paints a cluster of leaves on its twig, 512 × 512, cut out by alpha; the twig enters at the middle of the
+/// lower edge.
 Picture paintOakLeaves();
 Picture paintBirchLeaves();
 Picture paintPoplarLeaves();

@@ -6,7 +6,8 @@
 namespace scenery::models
 {
 
-/// Paints a roof, 256 × 256, periodic in both axes (kRoofPictureM), light so that it can be tinted; the ridge is up.
+/// Paints a roof, 256 × 256, periodic in both axes (kRoofPictureM), light so that it can be tinted; the ridge
+/// is up.
 Picture paintRoofTiles();
 Picture paintRoofMetal();
 

@@ -6,8 +6,8 @@
 namespace scenery::models
 {
 
-/// Paints the views of a vehicle from the side, above, front and behind (vehicles/VehicleForm.h), 1024 × 1024. Alpha
-/// is the share of the tint: bodywork, not glass, lamps and tyres.
+/// Paints the views of a vehicle from the side, above, front and behind (vehicles/VehicleForm.h), 1024 ×
+/// 1024. Alpha is the share of the tint: bodywork, not glass, lamps and tyres.
 Picture paintSaloon();
 Picture paintEstate();
 Picture paintVan();

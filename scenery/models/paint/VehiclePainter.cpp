@@ -42,7 +42,8 @@ void VehiclePainter::glass(const Outline& outline)
     for (const glm::vec2& p : outline)
         inner.push_back(p + glm::normalize(middle - p) * 0.03F);
     _canvas.polygon(inner, kGlass);
-    // The reflection of the sky is painted as bands over the upper half: each is the part of the pane above a horizontal line.
+    // The reflection of the sky is painted as bands over the upper half: each is the part of the pane above a
+    // horizontal line.
     constexpr int kBands = 20;
     for (int band = 1; band <= kBands; ++band)
     {

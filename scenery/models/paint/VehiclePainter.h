@@ -10,7 +10,8 @@
 namespace scenery::models
 {
 
-/// Paints the texture of a vehicle view by view, in metres. Unpainted pixels are bodywork: white, to be tinted.
+/// Paints the texture of a vehicle view by view, in metres. Unpainted pixels are bodywork: white, to be
+/// tinted.
 class VehiclePainter
 {
 public:

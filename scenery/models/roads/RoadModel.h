@@ -14,9 +14,9 @@ namespace scenery::models
 {
 
 /// What stands beside a road, as plain numbers: equal ones share one model.
-/// Frame: x along the road for the traffic that it is meant for, y left, z up; its face looks towards -x, in front of the post at x = 0, so that signs for
-/// both directions share one place. z = 0 is the road; posts reach
-/// kPostDepthM below it. Units: metres.
+/// Frame: x along the road for the traffic that it is meant for, y left, z up; its face looks towards -x, in
+/// front of the post at x = 0, so that signs for both directions share one place. z = 0 is the road; posts
+/// reach kPostDepthM below it. Units: metres.
 struct RoadModel
 {
     enum class Kind
@@ -62,8 +62,9 @@ struct RoadModel
     double lengthM = 0.0, widthM = 0.0, heightM = 0.0;
     double raisedM = 0.0;    ///< lower edge of a plate or of lamps above the road
     double postDepthM = 0.0; ///< how deep the post reaches below z = 0; 0: it has no post
-    double armM =
-        0.0; ///< a post stands so far to the right of the plate or lamps, which hang from its arm; negative: to the left
+    /// a post stands so far to the right of the plate or lamps, which hang from its arm; negative: to the
+    /// left
+    double armM = 0.0;
     double pitchRad = 0.0,
            rollRad = 0.0; ///< of plate or lamps, about y, then about the turned x; posts stay upright
     bool isTwoSided = false;
@@ -77,8 +78,9 @@ struct RoadModel
 constexpr double kPostDepthM = 0.8;
 
 /// Makes the model. Pure. One surface: kRoadSigns. Sizes of 0 are those of the kind:
-/// traffic lights DIN 67527 and EN 12368 (lenses of 0.2 m), delineators of the German RPS/HLB (1.05 m), lamp posts of 8 m, cones of 0.75 m, bollards
-/// of 0.9 m, posts of rails of 0.7 m (EN 1317 systems: C 120 × 80 mm), gantries with 6 m of clearance over 15 m.
+/// traffic lights DIN 67527 and EN 12368 (lenses of 0.2 m), delineators of the German RPS/HLB (1.05 m), lamp
+/// posts of 8 m, cones of 0.75 m, bollards of 0.9 m, posts of rails of 0.7 m (EN 1317 systems: C 120 × 80
+/// mm), gantries with 6 m of clearance over 15 m.
 Model makeRoadModel(const RoadModel& model);
 
 /// A lens of a traffic light. Frame: the model's.
@@ -89,10 +91,12 @@ struct Lens
     SignFace face = SignFace::lampRed;
 };
 
-/// Returns the lenses of a traffic light from the top; none for other models. Before it is pitched and rolled.
+/// Returns the lenses of a traffic light from the top; none for other models. Before it is pitched and
+/// rolled.
 std::vector<Lens> lensesOf(const RoadModel& model);
 
-/// How plate or lamps are turned, then moved, by pitch and roll: about their middle, and so far forward that they clear the post.
+/// How plate or lamps are turned, then moved, by pitch and roll: about their middle, and so far forward that
+/// they clear the post.
 struct Tilt
 {
     glm::dmat3 turn{1.0};
@@ -102,7 +106,8 @@ struct Tilt
 };
 Tilt tiltOf(const RoadModel& model);
 
-/// Returns the axes of something that is pitched about its y, then rolled about its x. Positive pitch lowers x, positive roll raises y.
+/// Returns the axes of something that is pitched about its y, then rolled about its x. Positive pitch lowers
+/// x, positive roll raises y.
 /// Source: ASAM OpenDRIVE 1.8, 8.2 (right-handed; heading, then pitch, then roll).
 glm::dmat3 pitchAndRoll(double pitchRad, double rollRad);
 

@@ -10,8 +10,9 @@
 namespace scenery::models
 {
 
-/// The faces of road signs, and the other cells of the texture roadSigns. Speed limits and letters stand in cells of their own.
-/// Shapes, colours and meanings: Convention on Road Signs and Signals (Vienna, 1968, with the amendments of 2006), annex 1.
+/// The faces of road signs, and the other cells of the texture roadSigns. Speed limits and letters stand in
+/// cells of their own. Shapes, colours and meanings: Convention on Road Signs and Signals (Vienna, 1968, with
+/// the amendments of 2006), annex 1.
 enum class SignFace
 {
     plain,         ///< white, takes the tint: posts, frames, boxes
@@ -58,7 +59,8 @@ struct SignCell
 
 SignCell cellOf(SignFace face);
 
-/// The cell of a letter or digit: black on a ground that takes the tint. Others (Latin-1) than A to Z, Ä, Å, É, Ö, Ü, 0 to 9 and - . / : , ( ) are blank.
+/// The cell of a letter or digit: black on a ground that takes the tint. Others (Latin-1) than A to Z, Ä, Å,
+/// É, Ö, Ü, 0 to 9 and - . / : , ( ) are blank.
 SignCell cellOfGlyph(char glyph);
 
 /// The cells of speed limits (5 to 140 by 5) and of least speeds (blue); others give those without a number.

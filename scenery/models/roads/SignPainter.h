@@ -13,7 +13,8 @@ namespace scenery::models
 class SignPainter
 {
 public:
-    /// Alpha 0: no tint. Colours: the display values of retroreflective sheeting in daylight, near EN 12899-1:2007, table 2.
+    /// Alpha 0: no tint. Colours: the display values of retroreflective sheeting in daylight, near EN
+    /// 12899-1:2007, table 2.
     static constexpr glm::vec4 kRed{0.76F, 0.07F, 0.08F, 0.0F};
     static constexpr glm::vec4 kBlue{0.02F, 0.27F, 0.60F, 0.0F};
     static constexpr glm::vec4 kWhite{0.95F, 0.95F, 0.94F, 0.0F};

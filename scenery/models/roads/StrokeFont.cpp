@@ -10,8 +10,8 @@ namespace scenery::models
 namespace
 {
 
-/// The lines of a glyph on a grid of 5 columns (a to e) and 7 rows (0 below to 6), for example "a0a6" is the left edge; lines follow each other
-/// from point to point, a space lifts the pen.
+/// The lines of a glyph on a grid of 5 columns (a to e) and 7 rows (0 below to 6), for example "a0a6" is the
+/// left edge; lines follow each other from point to point, a space lifts the pen.
 struct Glyph
 {
     char name;

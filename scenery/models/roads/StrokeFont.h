@@ -11,7 +11,8 @@
 namespace scenery::models
 {
 
-/// Paints letters and digits as strokes of one width. `middle`: of the text; `height`: of a capital. Unknown characters are gaps.
+/// Paints letters and digits as strokes of one width. `middle`: of the text; `height`: of a capital. Unknown
+/// characters are gaps.
 struct StrokeText
 {
     std::string_view text;

@@ -86,7 +86,8 @@ void addCardsAlong(Cards& cards, const TreeForm& form, const Limb& limb, double 
                 glm::normalize(whole + level * out - glm::dvec3(0, 0, form.cardHang * std::abs(out)));
             place.across =
                 glm::normalize(glm::cross(place.along, glm::dvec3(0, 0, 1)) + 0.35 * anyDirection(dice));
-            // The length of a spray is limited by that of its bough, so that the tip of the tree stays pointed.
+            // The length of a spray is limited by that of its bough, so that the tip of the tree stays
+            // pointed.
             place.lengthM =
                 std::min(place.lengthM, 0.30 + 0.42 * glm::distance(limb.line.front(), limb.line.back())) *
                 glm::mix(1.2, 0.7, share);

@@ -31,11 +31,11 @@ struct Crown
     glm::vec3 normalAt(const glm::dvec3& place) const;
 };
 
-/// Grows the limbs of a tree: trunks from one root, boughs around them in a spiral of the golden angle, twigs on both
-/// sides of the boughs. Boughs grow until they leave the crown.
-/// Source: Weber & Penn, *Creation and Rendering of Realistic Trees*, 1995, section 4: branching, curvature and
-/// taper. Differs: boughs grow to the envelope of the crown instead of a length by shape, which keeps the outline for
-/// every seed.
+/// Grows the limbs of a tree: trunks from one root, boughs around them in a spiral of the golden angle, twigs
+/// on both sides of the boughs. Boughs grow until they leave the crown.
+/// Source: Weber & Penn, *Creation and Rendering of Realistic Trees*, 1995, section 4: branching, curvature
+/// and taper. Differs: boughs grow to the envelope of the crown instead of a length by shape, which keeps the
+/// outline for every seed.
 struct Skeleton
 {
     Crown crown;

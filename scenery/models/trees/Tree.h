@@ -7,7 +7,8 @@
 namespace scenery::models
 {
 
-/// Generates a tree: closed limbs with bark, and leaf cards. Pure. Surfaces: bark, leaves. Triangles: 3 000 to 15
+/// Generates a tree: closed limbs with bark, and leaf cards. Pure. Surfaces: bark, leaves. Triangles: 3 000
+/// to 15
 /// 000. Its roots reach kRootM into the ground.
 Model makeTree(TreeKind kind, std::uint64_t seed);
 

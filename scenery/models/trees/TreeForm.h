@@ -15,8 +15,8 @@ struct Range
     double low, high;
 };
 
-/// The parameters of a kind of tree. Shares are of the height if not said otherwise. Units: metres, degrees above
-/// level.
+/// The parameters of a kind of tree. Shares are of the height if not said otherwise. Units: metres, degrees
+/// above level.
 struct TreeForm
 {
     Range heightM;

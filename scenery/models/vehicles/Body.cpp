@@ -18,7 +18,8 @@ namespace
 constexpr double kLeastStepM = 0.004;
 constexpr std::size_t kUnderPoints = 4; ///< points of floor, wheel well and lower edge in a half section
 
-/// Half cross sections before stretching: points from y = 0 on the floor around the outside to y = 0 on the roof.
+/// Half cross sections before stretching: points from y = 0 on the floor around the outside to y = 0 on the
+/// roof.
 class Sections
 {
 public:
@@ -97,7 +98,8 @@ public:
     }
 
 private:
-    /// Returns half the width at a height: narrower at the bottom, widest at a third of the height, a little less at the belt.
+    /// Returns half the width at a height: narrower at the bottom, widest at a third of the height, a little
+    /// less at the belt.
     double sideAt(double x, double z) const
     {
         const double bottom = _form.bottom(x);

@@ -7,8 +7,8 @@ namespace scenery::models
 {
 
 /// A smooth curve through given points without overshoot: it is monotonic between two points.
-/// Source: Fritsch & Carlson, *Monotone Piecewise Cubic Interpolation*, 1980, with the harmonic mean of Fritsch &
-/// Butland, 1984, for the slopes. Invariant: at least two points, abscissae increasing.
+/// Source: Fritsch & Carlson, *Monotone Piecewise Cubic Interpolation*, 1980, with the harmonic mean of
+/// Fritsch & Butland, 1984, for the slopes. Invariant: at least two points, abscissae increasing.
 class Curve
 {
 public:

@@ -14,7 +14,8 @@ namespace scenery::models
 /// (lacquered, the texture of the kind), wheels. 3 000 to 10 000 triangles.
 Model makeVehicle(VehicleKind kind, std::uint64_t seed);
 
-/// Adds the body and the mirrors of a vehicle, without wheels. Frame: the model's, x = 0 in the middle of the vehicle.
+/// Adds the body and the mirrors of a vehicle, without wheels. Frame: the model's, x = 0 in the middle of the
+/// vehicle.
 void addVehicleShell(ModelBuilder& builder, VehicleKind kind, const StretchedForm& body,
                      const glm::vec3& tint);
 

@@ -25,8 +25,8 @@ inline bool isCar(VehicleKind kind)
     return kind == VehicleKind::saloon || kind == VehicleKind::estate;
 }
 
-/// The shape of a vehicle before a seed stretches it. All curves run over x; the origin is in the middle of the
-/// vehicle. Units: metres.
+/// The shape of a vehicle before a seed stretches it. All curves run over x; the origin is in the middle of
+/// the vehicle. Units: metres.
 struct VehicleForm
 {
     double lengthM, widthM, heightM;
@@ -44,8 +44,8 @@ struct VehicleForm
 };
 const VehicleForm& vehicleForm(VehicleKind kind);
 
-/// The positions of the views in the texture of kSheetPx by kSheetPx pixels, all to one scale: the right side, above
-/// it the top, above that front and back, above those the left side where it differs.
+/// The positions of the views in the texture of kSheetPx by kSheetPx pixels, all to one scale: the right
+/// side, above it the top, above that front and back, above those the left side where it differs.
 struct VehicleSheet
 {
     static constexpr int kSheetPx = 1024;

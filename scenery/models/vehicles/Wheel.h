@@ -6,8 +6,8 @@
 namespace scenery::models
 {
 
-/// Adds a closed wheel, 20 sides, 360 triangles: a tyre with shoulders, and a dished rim whose spokes are in the
-/// texture. `outwards`: +1 looks left, -1 right. Precondition: a part with the texture `wheel` has begun.
+/// Adds a closed wheel, 20 sides, 360 triangles: a tyre with shoulders, and a dished rim whose spokes are in
+/// the texture. `outwards`: +1 looks left, -1 right. Precondition: a part with the texture `wheel` has begun.
 struct Wheel
 {
     glm::dvec3 hub{0.0};

@@ -18,8 +18,8 @@ using osgRoads::core::ObjectInstance;
 using osgRoads::core::PlacedNetwork;
 using osgRoads::core::Road;
 
-/// The beam of a steel guard rail: profile A of the German RAL-RG 620, 310 mm high and 81 mm deep, of 3 mm sheet (here 5 mm). Its posts stand
-/// every 4 m; its top is 0.75 m above the road.
+/// The beam of a steel guard rail: profile A of the German RAL-RG 620, 310 mm high and 81 mm deep, of 3 mm
+/// sheet (here 5 mm). Its posts stand every 4 m; its top is 0.75 m above the road.
 constexpr double kBeamM = 0.31, kDeepM = 0.081, kSheetM = 0.005, kTopM = 0.75, kPostEveryM = 4.0;
 constexpr double kPostHalfM = 0.04;
 constexpr double kLoweredM = 8.0; ///< from an end that stands free down into the ground

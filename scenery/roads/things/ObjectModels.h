@@ -12,13 +12,15 @@
 namespace scenery::roads
 {
 
-/// The words of an object's type, subtype and name in small letters: "streetLamp" and "guide-post.osgb" give street, lamp, guide, post, osgb.
+/// The words of an object's type, subtype and name in small letters: "streetLamp" and "guide-post.osgb" give
+/// street, lamp, guide, post, osgb.
 class ObjectWords
 {
 public:
     explicit ObjectWords(const osgRoads::core::RoadObject& object);
 
-    /// Whether one of the words is among these, or two that follow each other make one of these ("guardrail").
+    /// Whether one of the words is among these, or two that follow each other make one of these
+    /// ("guardrail").
     bool any(std::initializer_list<std::string_view> wanted) const;
 
 private:
@@ -37,7 +39,8 @@ enum class StretchForm
     wall, ///< any other body, as wide and high as told
 };
 
-/// Returns the form of a stretch by its words, else by its sizes: what is at most 0.3 m wide and 1.2 m high is a guard rail.
+/// Returns the form of a stretch by its words, else by its sizes: what is at most 0.3 m wide and 1.2 m high
+/// is a guard rail.
 StretchForm stretchForm(const ObjectWords& words, double widthM, double heightM);
 
 /// Returns the model of an object by its words, or nothing when it has none of its own.
@@ -48,7 +51,8 @@ std::optional<models::RoadModel> objectModel(const ObjectWords& words,
 /// Returns a grey box of an object's size.
 models::RoadModel boxOf(const osgRoads::core::ObjectInstance& instance);
 
-/// Whether a grey box is what an object of this type looks like anyway: buildings, barriers, obstacles, traffic islands.
+/// Whether a grey box is what an object of this type looks like anyway: buildings, barriers, obstacles,
+/// traffic islands.
 bool isBoxLike(const ObjectWords& words);
 
 } // namespace scenery::roads

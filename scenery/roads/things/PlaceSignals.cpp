@@ -62,7 +62,8 @@ private:
     std::multimap<double, double> _poles, _gantries; ///< t by s
 };
 
-/// Returns how far to the right of a signal over a lane its post stands, in the signal's frame; 0 for a signal beside the lanes.
+/// Returns how far to the right of a signal over a lane its post stands, in the signal's frame; 0 for a
+/// signal beside the lanes.
 double armOf(const Road& road, const Signal& signal)
 {
     if (signal.zOffset < kOverheadM) return 0.0;

@@ -16,7 +16,8 @@ Profile wall(double width, double low, double high)
 }
 
 /// The New Jersey profile: a foot of the told width, a slope, a steep stem.
-/// Source: FHWA, Technical Advisory T 5040.23 (1984): of 32 inches the foot is 3, the slope 10 high; widths 24, 19 and 6 of 24 inches.
+/// Source: FHWA, Technical Advisory T 5040.23 (1984): of 32 inches the foot is 3, the slope 10 high; widths
+/// 24, 19 and 6 of 24 inches.
 Profile jersey(double width, double low, double height)
 {
     const double foot = low + 0.094 * height, knee = low + 0.41 * height, top = low + height;

@@ -118,7 +118,8 @@ void addBridge(const PlacedNetwork& placed, int road, const RoadStructure& bridg
     for (const int side : {1, -1})
         if (plain.junctionId.empty()) // a railing along a turn would stand across the other lanes
             addEdge(placed, road, bridge, side, into);
-    // Below the surface by 5 cm, so that the deck never fights the road for depth. The road's tilt is that of its edges.
+    // Below the surface by 5 cm, so that the deck never fights the road for depth. The road's tilt is that of
+    // its edges.
     RoadLine deck = concreteLine(bridge);
     deck.lineT = [&plain](double s) { return sidesAt(plain, s, kSideM).middle(); };
     deck.profileAt = [&placed, &plain, road](double s)

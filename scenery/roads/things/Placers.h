@@ -24,7 +24,8 @@ void placeStructures(const osgRoads::core::PlacedNetwork& placed, int road, cons
 void placeStretch(const osgRoads::core::PlacedNetwork& placed, int road, StretchForm form,
                   const osgRoads::core::ObjectInstance& stretch, RoadThings& into);
 
-/// Adds the beam of a guard rail, whose waves swell towards the traffic, and its posts unless the file has posts there.
+/// Adds the beam of a guard rail, whose waves swell towards the traffic, and its posts unless the file has
+/// posts there.
 void placeGuardRail(const osgRoads::core::PlacedNetwork& placed, int road,
                     const osgRoads::core::ObjectInstance& stretch, RoadThings& into);
 

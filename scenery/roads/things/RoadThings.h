@@ -30,7 +30,8 @@ struct StandingThing
     std::string signalId; ///< of a traffic light
 };
 
-/// A model that is made for one place: a guard rail, a building, a bridge. Frame: the scene's axes about `origin`.
+/// A model that is made for one place: a guard rail, a building, a bridge. Frame: the scene's axes about
+/// `origin`.
 struct OwnThing
 {
     models::Model model;
@@ -65,9 +66,11 @@ struct RoadThings
     std::map<models::RoadModel, std::size_t> modelIndex; ///< of `models`
 };
 
-/// Places signals, objects, bridges and tunnels. Without `ground` everything stands at the height of its road.
-/// Posts stand upright, what they carry is pitched and rolled as told, other objects as a whole; `orientation` - turns a signal by half a turn; one that holds for both directions shows its face on both sides. Signals with
-/// a pole object within 0.5 m have no post of their own. Objects without a model are grey boxes of their size.
+/// Places signals, objects, bridges and tunnels. Without `ground` everything stands at the height of its
+/// road. Posts stand upright, what they carry is pitched and rolled as told, other objects as a whole;
+/// `orientation` - turns a signal by half a turn; one that holds for both directions shows its face on both
+/// sides. Signals with a pole object within 0.5 m have no post of their own. Objects without a model are grey
+/// boxes of their size.
 /// Source: ASAM OpenDRIVE 1.8, 13 and 14. Cost: linear.
 RoadThings placeRoadThings(const osgRoads::core::PlacedNetwork& placed, const GroundHeight& ground = {});
 

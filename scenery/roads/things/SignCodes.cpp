@@ -102,7 +102,8 @@ const SignCode* codeOf(const osgRoads::core::Signal& signal)
     return exact ? exact : find(kGerman, number);
 }
 
-/// Returns the speed in the units of the sign: from the value, else from subtype 55 as "50" (Germany: 274-55), else from the name.
+/// Returns the speed in the units of the sign: from the value, else from subtype 55 as "50" (Germany:
+/// 274-55), else from the name.
 int speedOf(const osgRoads::core::Signal& signal)
 {
     const double value = signal.value.value_or(0.0);
@@ -119,7 +120,8 @@ int speedOf(const osgRoads::core::Signal& signal)
     return dash == std::string::npos ? 0 : std::max(0, std::atoi(signal.name.c_str() + dash + 1));
 }
 
-/// Returns a text as the atlas of signs has letters: capitals of Latin-1; "\\n" of the file parts lines. Others than Latin letters are blank.
+/// Returns a text as the atlas of signs has letters: capitals of Latin-1; "\\n" of the file parts lines.
+/// Others than Latin letters are blank.
 std::string lettersOf(const std::string& utf8)
 {
     std::string letters;
@@ -185,7 +187,8 @@ std::optional<models::RoadModel> signModel(const osgRoads::core::Signal& signal)
 {
     RoadModel model;
     if (osgRoads::core::paintKind(signal)) return {};
-    // 1000009 to 1000012 are lights with fewer lamps or with arrows in them; netconvert writes 1000011 for all lights.
+    // 1000009 to 1000012 are lights with fewer lamps or with arrows in them; netconvert writes 1000011 for
+    // all lights.
     constexpr std::array kLights{"1000001", "1000002", "1000009", "1000010", "1000011", "1000012"};
     if (std::find(kLights.begin(), kLights.end(), signal.type) != kLights.end())
     {

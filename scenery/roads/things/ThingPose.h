@@ -6,7 +6,8 @@
 namespace scenery::roads
 {
 
-/// Returns the upright axes of something on a road that looks `headingRad` to the left of the road. Frame: the scene's.
+/// Returns the upright axes of something on a road that looks `headingRad` to the left of the road. Frame:
+/// the scene's.
 glm::dmat3 uprightAxes(const osgRoads::core::PlacedNetwork& placed, int road, double s, double t,
                        double headingRad);
 

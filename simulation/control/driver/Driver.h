@@ -26,12 +26,14 @@ struct DriverSettings
     bool stopsAtEnd = true;       ///< of the way
 };
 
-/// A driver: steers along a way by looking ahead, drives as fast as limit, bends, stops and others allow, shifts gears.
+/// A driver: steers along a way by looking ahead, drives as fast as limit, bends, stops and others allow,
+/// shifts gears.
 ///
-/// Steering aims at a point of the way some time ahead and adds what the vehicle's understeer takes. Speed follows the intelligent driver
-/// model; a stop is a vehicle that stands there.
-/// Source: Coulter, *Implementation of the Pure Pursuit Path Tracking Algorithm*, 1992; Treiber, Hennecke, Helbing, *Congested traffic
-/// states in empirical observations and microscopic simulations*, 2000 (intelligent driver model).
+/// Steering aims at a point of the way some time ahead and adds what the vehicle's understeer takes. Speed
+/// follows the intelligent driver model; a stop is a vehicle that stands there.
+/// Source: Coulter, *Implementation of the Pure Pursuit Path Tracking Algorithm*, 1992; Treiber, Hennecke,
+/// Helbing, *Congested traffic states in empirical observations and microscopic simulations*, 2000
+/// (intelligent driver model).
 class Driver final : public VehicleController
 {
 public:

@@ -24,7 +24,8 @@ struct DriverStop
     std::string signal; ///< id of the traffic light; empty: a stop sign
 };
 
-/// The way of a driver: the middle of a lane, or any path, as points at most some metres apart, with its stops.
+/// The way of a driver: the middle of a lane, or any path, as points at most some metres apart, with its
+/// stops.
 class DriverPath
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast a driver wants to be, and what feet do for it. Source: Treiber, Hennecke, Helbing, *Congested traffic states in empirical
-// observations and microscopic simulations*, 2000 (intelligent driver model).
+// How fast a driver wants to be, and what feet do for it. Source: Treiber, Hennecke, Helbing, *Congested
+// traffic states in empirical observations and microscopic simulations*, 2000 (intelligent driver model).
 #include <algorithm>
 #include <cmath>
 

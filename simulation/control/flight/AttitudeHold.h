@@ -14,8 +14,8 @@ struct SurfaceInputs
 
 /// Holds pitch and bank with elevator and aileron, and the ball in the middle with the rudder.
 /// Gains go down with the dynamic pressure, as the force of the surfaces goes up.
-/// Source: Stevens, Lewis, *Aircraft Control and Simulation*, 2nd edition, 2003, sections 4.4 and 4.6 (pitch and bank by attitude and
-/// rate, with an integral part; turn coordination).
+/// Source: Stevens, Lewis, *Aircraft Control and Simulation*, 2nd edition, 2003, sections 4.4 and 4.6 (pitch
+/// and bank by attitude and rate, with an integral part; turn coordination).
 class AttitudeHold
 {
 public:

@@ -19,12 +19,14 @@ struct AutopilotSettings
     std::shared_ptr<const EarthFrame> earth;
     std::vector<FlightOrder> orders;
     std::optional<RunwayStrip> runway; ///< of takeoff, circuit and land
-    /// Climbs and turns before ground that rises ahead, whatever its orders; refuses to take off and to land where it is in the way.
+    /// Climbs and turns before ground that rises ahead, whatever its orders; refuses to take off and to land
+    /// where it is in the way.
     bool avoidsGround = true;
 };
 
-/// Flies an aircraft by orders, one after the other (docs/algorithms/autopilot.md). After the last it holds what it has.
-/// It sees state, air and ground alone, so it flies any vehicle that has the inputs of an aircraft.
+/// Flies an aircraft by orders, one after the other (docs/algorithms/autopilot.md). After the last it holds
+/// what it has. It sees state, air and ground alone, so it flies any vehicle that has the inputs of an
+/// aircraft.
 class Autopilot final : public VehicleController
 {
 public:
@@ -36,7 +38,8 @@ public:
     /// Takes it for a true airspeed; an order of speed that comes later counts in its place.
     void askForSpeed(double speedMps) override { _askedMps = speedMps; }
 
-    /// Goes on with its order from what is flown now. Heading, altitude and speed that no order names are held as they are.
+    /// Goes on with its order from what is flown now. Heading, altitude and speed that no order names are
+    /// held as they are.
     void resume(const ControlView& view, std::span<const double> inputs) override;
     std::string_view phase() const override { return _phase; }
     std::string note() const override { return _note; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an autopilot flies for an order: take-off, circuit, landing, targets that it holds, and away from the ground.
+// What an autopilot flies for an order: take-off, circuit, landing, targets that it holds, and away from the
+// ground.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -8,9 +8,11 @@
 namespace simulation
 {
 
-/// A circuit around a runway, leg by leg: up wind, across it, down wind, base. The final belongs to the landing. It is left-handed, 250 m above the
-/// runway; where the ground below it is too high for that it is on the side with the lower ground, and up to 450 m high.
-/// Source: Federal Aviation Administration, *Airplane Flying Handbook* (FAA-H-8083-3C), 2021, chapter 8 (traffic patterns).
+/// A circuit around a runway, leg by leg: up wind, across it, down wind, base. The final belongs to the
+/// landing. It is left-handed, 250 m above the runway; where the ground below it is too high for that it is
+/// on the side with the lower ground, and up to 450 m high.
+/// Source: Federal Aviation Administration, *Airplane Flying Handbook* (FAA-H-8083-3C), 2021, chapter 8
+/// (traffic patterns).
 class CircuitPlan
 {
 public:

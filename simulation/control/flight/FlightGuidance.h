@@ -21,7 +21,8 @@ struct CourseLine
 /// The bank that turns to a heading or, with wind, to a track. Radians.
 double bankToHeading(const FlightSense& sense, double heading, double mostBank);
 
-/// The bank that leads onto a line and keeps to it, whatever the wind: the wanted track leans towards the line by the distance from it.
+/// The bank that leads onto a line and keeps to it, whatever the wind: the wanted track leans towards the
+/// line by the distance from it.
 /// Source: Beard, McLain, *Small Unmanned Aircraft*, 2012, section 10.1 (following a straight line).
 double bankToLine(const FlightSense& sense, const CourseLine& line, double mostBank);
 
@@ -32,8 +33,8 @@ struct PowerAndPitch
     double pitch = 0.0; ///< radians
 };
 
-/// Throttle and pitch for speed and climb. Two ways: the throttle keeps the speed while pitch keeps the climb (level flight, glide path), or a
-/// given throttle stands and pitch keeps the speed (climb).
+/// Throttle and pitch for speed and climb. Two ways: the throttle keeps the speed while pitch keeps the climb
+/// (level flight, glide path), or a given throttle stands and pitch keeps the speed (climb).
 class SpeedAndClimb
 {
 public:

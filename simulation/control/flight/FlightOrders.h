@@ -35,8 +35,10 @@ struct FlightOrder
 /// Whether orders ask for a runway.
 bool needsRunway(const std::vector<FlightOrder>& orders);
 
-/// Reads orders: words parted by semicolons, `takeoff; heading 240; altitude 500; speed 45; wait 30; circuit; land`.
-/// Errors: an unknown word, a number that is missing or out of range, no order, more than 1000. `name` stands before the error.
+/// Reads orders: words parted by semicolons, `takeoff; heading 240; altitude 500; speed 45; wait 30; circuit;
+/// land`.
+/// Errors: an unknown word, a number that is missing or out of range, no order, more than 1000. `name` stands
+/// before the error.
 foundation::Result<std::vector<FlightOrder>> parseFlightOrders(std::string_view text,
                                                                const std::string& name);
 

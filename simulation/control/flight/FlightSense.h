@@ -7,7 +7,8 @@
 namespace simulation
 {
 
-/// What an autopilot knows of its aircraft: instruments, not the inside of a flight model, so that it flies any aircraft.
+/// What an autopilot knows of its aircraft: instruments, not the inside of a flight model, so that it flies
+/// any aircraft.
 /// Units: radians, metres, m/s. Headings and tracks from north, clockwise.
 struct FlightSense
 {
@@ -26,7 +27,8 @@ struct FlightSense
     bool isOnGround = false;
 };
 
-/// Reads the instruments. `wheelsBelowM`: how far the unloaded main wheels are below the centre of mass, level.
+/// Reads the instruments. `wheelsBelowM`: how far the unloaded main wheels are below the centre of mass,
+/// level.
 FlightSense senseOf(const ControlView& view, const EarthFrame& earth, double wheelsBelowM);
 
 /// An angle within half a turn. Radians.

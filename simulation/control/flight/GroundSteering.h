@@ -6,8 +6,8 @@
 namespace simulation
 {
 
-/// Pedals that keep an aircraft on a line while it rolls: they turn it as fast as the line asks, whether the rudder or the nose wheel does it,
-/// and never so fast that it would tip over.
+/// Pedals that keep an aircraft on a line while it rolls: they turn it as fast as the line asks, whether the
+/// rudder or the nose wheel does it, and never so fast that it would tip over.
 class GroundSteering
 {
 public:

@@ -50,8 +50,8 @@ FlightCommand Landing::step(const FlightSense& sense, double stepS)
     return _isDown ? rollOut(sense, stepS) : approach(sense, stepS);
 }
 
-/// The nose along the runway by the rudder, one wing low against the wind. Both are led by what the wind across the runway asks for: the
-/// sideslip itself would take away the aircraft's own stability.
+/// The nose along the runway by the rudder, one wing low against the wind. Both are led by what the wind
+/// across the runway asks for: the sideslip itself would take away the aircraft's own stability.
 SurfaceInputs Landing::slip(const FlightSense& sense, double pitch, double stepS)
 {
     const double fromRightMps = windFromRightMps(sense, _runway.centreLine());

@@ -37,9 +37,10 @@ private:
     bool _isRotating = false, _isUp = false, _isDone = false;
 };
 
-/// Lands: onto the centre line, down the glide path, the nose straight and one wing low against the wind, flare, roll-out, stop.
-/// Source: Federal Aviation Administration, *Airplane Flying Handbook* (FAA-H-8083-3C), 2021, chapter 9 (approaches and landings: crosswind by
-/// sideslip, round out, after-landing roll).
+/// Lands: onto the centre line, down the glide path, the nose straight and one wing low against the wind,
+/// flare, roll-out, stop.
+/// Source: Federal Aviation Administration, *Airplane Flying Handbook* (FAA-H-8083-3C), 2021, chapter 9
+/// (approaches and landings: crosswind by sideslip, round out, after-landing roll).
 class Landing
 {
 public:

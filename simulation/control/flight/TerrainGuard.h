@@ -18,8 +18,9 @@ struct TerrainAdvice
     bool isClimbing = false; ///< the ground ahead rises: full power now
 };
 
-/// Looks along the track ahead of an aircraft, and to both sides where a climb would not clear what lies there. It looks twice a second, and keeps
-/// its advice in between; ground that does not rise ahead never changes what is flown.
+/// Looks along the track ahead of an aircraft, and to both sides where a climb would not clear what lies
+/// there. It looks twice a second, and keeps its advice in between; ground that does not rise ahead never
+/// changes what is flown.
 /// Determinism: by the states that it is shown. Cost: 20 look-ups twice a second, 260 at most.
 class TerrainGuard
 {

@@ -15,7 +15,8 @@
 namespace simulation
 {
 
-/// Reads the properties of a controller with physics, and keeps the first error; what is read after an error is the fallback.
+/// Reads the properties of a controller with physics, and keeps the first error; what is read after an error
+/// is the fallback.
 class ControllerProperties
 {
 public:
@@ -35,7 +36,8 @@ public:
 
     bool flag(std::string_view name, bool fallback);
 
-    /// A file: beside the scenario, else from where the program runs. `fallback`: as it stands, from where the program runs.
+    /// A file: beside the scenario, else from where the program runs. `fallback`: as it stands, from where
+    /// the program runs.
     std::filesystem::path file(std::string_view name, const std::filesystem::path& fallback);
 
 private:

@@ -10,8 +10,9 @@
 namespace simulation
 {
 
-/// Makes the vehicles with physics that controllers of a scenario drive: Autopilot, Driver, RecordedInputs with their properties
-/// (docs/reference/openscenario.md). Each has the scenario's wind, air and road friction.
+/// Makes the vehicles with physics that controllers of a scenario drive: Autopilot, Driver, RecordedInputs
+/// with their properties (docs/reference/openscenario.md). Each has the scenario's wind, air and road
+/// friction.
 class ScenarioMotions final : public MotionSource
 {
 public:

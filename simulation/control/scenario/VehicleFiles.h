@@ -15,8 +15,10 @@
 namespace simulation
 {
 
-/// Opens a vehicle by its data file: a road vehicle, an aircraft, or one that JSBSim flies, as the file's root element says.
-/// `origin`: of the scene; without one road vehicles drive on flat ground, and aircraft fly where earthOf() says. `seed`: of turbulence.
+/// Opens a vehicle by its data file: a road vehicle, an aircraft, or one that JSBSim flies, as the file's
+/// root element says.
+/// `origin`: of the scene; without one road vehicles drive on flat ground, and aircraft fly where earthOf()
+/// says. `seed`: of turbulence.
 /// Errors: those of the file; a root of another name.
 foundation::Result<std::unique_ptr<DynamicVehicle>>
 openVehicle(const std::filesystem::path& file, const std::optional<Geodetic>& origin, std::uint64_t seed);
@@ -28,7 +30,8 @@ std::shared_ptr<const EarthFrame> earthOf(const std::optional<Geodetic>& origin)
 foundation::Result<std::unique_ptr<VehicleController>> openInputs(const std::filesystem::path& file,
                                                                   const DynamicVehicle& vehicle);
 
-/// Returns a strip as high as the ground at its threshold; at 0 where no ground is known. Units: metres, degrees from north, clockwise.
+/// Returns a strip as high as the ground at its threshold; at 0 where no ground is known. Units: metres,
+/// degrees from north, clockwise.
 RunwayStrip runwayOn(const Ground& ground, const glm::dvec2& threshold, double courseDeg, double lengthM,
                      double widthM);
 

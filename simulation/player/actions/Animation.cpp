@@ -10,7 +10,8 @@ namespace simulation
 namespace
 {
 
-/// Moves a part of an entity evenly to its state; one that repeats goes through its course again and again, without an end.
+/// Moves a part of an entity evenly to its state; one that repeats goes through its course again and again,
+/// without an end.
 class Animate final : public RunningAction
 {
 public:

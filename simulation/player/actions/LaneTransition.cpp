@@ -29,8 +29,8 @@ LaneTransition::LaneTransition(const Course& course, const EntityMotion& actor, 
     _fromOffsetM = roads.putOnLane(middle, course.lane, 0.0) ? place.t - middle.t : place.laneOffsetM;
 }
 
-/// Where the entity comes to another lane section, the walk along the road has changed its lane by the links. Within a section the lane
-/// stays that of the course: a vehicle with physics is still beside it.
+/// Where the entity comes to another lane section, the walk along the road has changed its lane by the links.
+/// Within a section the lane stays that of the course: a vehicle with physics is still beside it.
 void LaneTransition::followLinks(const RoadPlace& place, const osgRoads::core::LaneSection* section)
 {
     const bool isForward = looksForward(place);

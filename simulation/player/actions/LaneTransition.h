@@ -6,12 +6,13 @@
 namespace simulation
 {
 
-/// Moves an entity sideways from its offset to another one, on the lane that it then belongs to, by a shape over time or over
-/// distance. The entity turns into the direction in which it moves: the sine of the turn is the speed sideways by its speed.
-/// A lane change (`isAhead`) has its turn of the beginning of the step, and the way sideways is taken from the way along the lane;
-/// it goes sideways no faster than the entity moves, and waits while that stands. Its distance counts along the lane.
-/// A change of the offset begins one step later, and the way along the lane stays as it is. Both as in esmini.
-/// Where the entity comes to another lane section or road, the lane and the side go on as they are linked.
+/// Moves an entity sideways from its offset to another one, on the lane that it then belongs to, by a shape
+/// over time or over distance. The entity turns into the direction in which it moves: the sine of the turn is
+/// the speed sideways by its speed. A lane change (`isAhead`) has its turn of the beginning of the step, and
+/// the way sideways is taken from the way along the lane; it goes sideways no faster than the entity moves,
+/// and waits while that stands. Its distance counts along the lane. A change of the offset begins one step
+/// later, and the way along the lane stays as it is. Both as in esmini. Where the entity comes to another
+/// lane section or road, the lane and the side go on as they are linked.
 class LaneTransition final : public RunningAction
 {
 public:
@@ -50,7 +51,8 @@ private:
     const osgRoads::core::LaneSection* _section = nullptr; ///< where it was then
 };
 
-/// Returns how long a change takes whose dynamics are given, `amount` being the size of the change; seconds or metres.
+/// Returns how long a change takes whose dynamics are given, `amount` being the size of the change; seconds
+/// or metres.
 double durationOf(const TransitionDynamics& dynamics, double amount);
 
 } // namespace simulation

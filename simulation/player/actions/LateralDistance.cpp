@@ -11,7 +11,8 @@ namespace
 
 constexpr double kThereM = 1e-6;
 
-/// Keeps a distance sideways to another entity, as measured across the road: at once, or no faster than is allowed.
+/// Keeps a distance sideways to another entity, as measured across the road: at once, or no faster than is
+/// allowed.
 class KeepLateralDistance final : public RunningAction
 {
 public:

@@ -13,8 +13,8 @@ constexpr double kReachedM = 0.1;
 constexpr double kSpringPerM = 0.4; ///< of the greatest acceleration
 constexpr double kNoRateLimit = 1e9;
 
-/// Keeps the distance to the other entity along the road: at once without limits, else with the accelerations that are
-/// allowed.
+/// Keeps the distance to the other entity along the road: at once without limits, else with the accelerations
+/// that are allowed.
 class KeepDistance final : public RunningAction
 {
 public:
@@ -53,7 +53,8 @@ private:
         return wanted + (_action.side < 0 ? other.centre.x - own.centre.x : own.centre.x - other.centre.x);
     }
 
-    /// A critically damped spring between the entities, within the limits, as in esmini; the standard leaves the law open.
+    /// A critically damped spring between the entities, within the limits, as in esmini; the standard leaves
+    /// the law open.
     bool follow(ActionScene& scene, EntityMotion& actor, const EntityState& lead, double excess)
     {
         const Performance performance = performanceOf(scene);

@@ -50,8 +50,8 @@ enum class ActionDomain
     looks, ///< no motion: such actions do not end one another
 };
 
-/// A private action that lasts. It is stepped at the start of each step after the one in which it began, before entities
-/// move.
+/// A private action that lasts. It is stepped at the start of each step after the one in which it began,
+/// before entities move.
 class RunningAction
 {
 public:

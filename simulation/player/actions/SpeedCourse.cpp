@@ -41,8 +41,8 @@ SpeedCourse::SpeedCourse(const SpeedProfileAction& action, double fromMps, doubl
         _pieces = std::move(lines);
 }
 
-/// A parabola of the jerk j takes Δ = change of slope / j and touches line p (before) at τ and line n (after) at τ + Δ:
-/// p(τ) + (slopes' mean)·Δ = n(τ + Δ).
+/// A parabola of the jerk j takes Δ = change of slope / j and touches line p (before) at τ and line n (after)
+/// at τ + Δ: p(τ) + (slopes' mean)·Δ = n(τ + Δ).
 void SpeedCourse::addSmooth(const std::vector<Piece>& lines, const DynamicConstraints& constraints)
 {
     Piece line{0.0, lines.front().speedMps, 0.0, 0.0};

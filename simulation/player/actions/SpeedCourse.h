@@ -9,14 +9,16 @@ namespace simulation
 {
 
 /// The speed over time that a SpeedProfileAction asks for.
-/// `position`: straight from entry to entry. `follow`: the lines between the entries, joined by parabolas that touch both, on
-/// which the acceleration changes at its greatest rate; the first line is reached by a parabola from rest of acceleration, so it
-/// lies later. Both as esmini drives them (tests/core/simulation/RecordedScenarioTest.cpp).
+/// `position`: straight from entry to entry. `follow`: the lines between the entries, joined by parabolas
+/// that touch both, on which the acceleration changes at its greatest rate; the first line is reached by a
+/// parabola from rest of acceleration, so it lies later. Both as esmini drives them
+/// (tests/core/simulation/RecordedScenarioTest.cpp).
 /// Units: seconds since the start, m/s.
 class SpeedCourse
 {
 public:
-    /// `fromMps`: the speed at the start. An entry without time takes as long as the greatest acceleration needs.
+    /// `fromMps`: the speed at the start. An entry without time takes as long as the greatest acceleration
+    /// needs.
     SpeedCourse(const SpeedProfileAction& action, double fromMps, double accelerationMps2,
                 double decelerationMps2);
 

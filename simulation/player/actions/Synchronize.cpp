@@ -16,11 +16,12 @@ constexpr double kStandingMps = 1e-3;
 constexpr double kSoonS = 1e-3;
 constexpr double kPastM = 1e-3; ///< by which a way grows behind its end
 
-/// Steers the speed so that the actor arrives when the master does. The master is expected to keep its speed; while it stands,
-/// so does the actor. Acceleration: with the way d, the time T, the own speed v and the final one w it is (4d/T − 3v − w)/T, that of a
-/// speed that is straight in two halves of the time, asked anew in each step. Without a final speed: d/T is driven. Before a steady
-/// part d and T count to its begin; on it the speed is the final one. Ways are those along trajectories, else along roads, else
-/// straight. It ends with the final speed, where one of both is there, or has passed.
+/// Steers the speed so that the actor arrives when the master does. The master is expected to keep its speed;
+/// while it stands, so does the actor. Acceleration: with the way d, the time T, the own speed v and the
+/// final one w it is (4d/T − 3v − w)/T, that of a speed that is straight in two halves of the time, asked
+/// anew in each step. Without a final speed: d/T is driven. Before a steady part d and T count to its begin;
+/// on it the speed is the final one. Ways are those along trajectories, else along roads, else straight. It
+/// ends with the final speed, where one of both is there, or has passed.
 class Synchronize final : public RunningAction
 {
 public:

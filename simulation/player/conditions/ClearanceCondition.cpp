@@ -15,8 +15,8 @@ int lanePlace(int lane)
     return lane > 0 ? lane - 1 : lane;
 }
 
-/// Whether the lane of `other` counts: it lies in one of the ranges, and in the direction of the own traffic unless opposite
-/// lanes count, too. Roads are taken to run the same way.
+/// Whether the lane of `other` counts: it lies in one of the ranges, and in the direction of the own traffic
+/// unless opposite lanes count, too. Roads are taken to run the same way.
 bool isInLanes(const RelativeClearanceCondition& condition, const RoadPlace& own, const RoadPlace& other)
 {
     if (!condition.hasOppositeLanes && (own.lane > 0) != (other.lane > 0)) return false;

@@ -12,7 +12,8 @@ namespace
 
 constexpr double kStandStillMps = 1e-3;
 
-/// A part of a vector in the frame of an entity: x forward, y left, z up; its length where no direction is given.
+/// A part of a vector in the frame of an entity: x forward, y left, z up; its length where no direction is
+/// given.
 double partOf(const glm::dvec3& vector, const EntityState& state, Direction direction)
 {
     if (direction == Direction::total) return glm::length(vector);

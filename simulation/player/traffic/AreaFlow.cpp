@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source: ASAM OpenSCENARIO XML 1.3, TrafficAreaAction. A point in a polygon: Shimrat, "Algorithm 112: position of point relative to
-// polygon", Communications of the ACM 5, 1962.
+// Source: ASAM OpenSCENARIO XML 1.3, TrafficAreaAction. A point in a polygon: Shimrat, "Algorithm 112:
+// position of point relative to polygon", Communications of the ACM 5, 1962.
 #include <algorithm>
 
 #include "simulation/player/traffic/TrafficFlow.h"

@@ -12,15 +12,16 @@
 namespace simulation
 {
 
-/// The traffic actions of a play that go on. A vehicle that comes to the end of the last road vanishes. The same scenario, roads and
-/// seed give the same traffic.
+/// The traffic actions of a play that go on. A vehicle that comes to the end of the last road vanishes. The
+/// same scenario, roads and seed give the same traffic.
 class RoadTraffic
 {
 public:
     /// `plan` must outlive it.
     RoadTraffic(const TrafficPlan& plan, std::uint64_t seed) : _plan(&plan), _seed(seed) {}
 
-    /// Begins an action; it takes effect with the next step. A stop ends those of its name, one without a name all.
+    /// Begins an action; it takes effect with the next step. A stop ends those of its name, one without a
+    /// name all.
     void begin(const TrafficAction& action);
 
     void step(TrafficScene& scene);

@@ -14,8 +14,8 @@ namespace
 
 constexpr double kAtOnceS = 1e-9;
 
-/// One vehicle at once, the others evenly after it. Where there is no room, or none is left, the next one waits; what it has missed
-/// is not made up for.
+/// One vehicle at once, the others evenly after it. Where there is no room, or none is left, the next one
+/// waits; what it has missed is not made up for.
 class SourceFlow final : public TrafficFlow
 {
 public:

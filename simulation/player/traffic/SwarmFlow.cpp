@@ -14,8 +14,8 @@ namespace
 constexpr double kRimShare = 0.85;   ///< of the ellipse, beyond which vehicles appear later on
 constexpr double kSwarmPauseS = 0.5; ///< before the next attempt where there was no room
 
-/// Vehicles that leave the ellipse vanish, and others appear near its rim; the first ones appear anywhere in it. Along the entity lies
-/// the semi-major axis.
+/// Vehicles that leave the ellipse vanish, and others appear near its rim; the first ones appear anywhere in
+/// it. Along the entity lies the semi-major axis.
 class SwarmFlow final : public TrafficFlow
 {
 public:

@@ -45,7 +45,8 @@ std::unique_ptr<TrafficFlow> makeFlow(const TrafficSwarm& swarm, const std::vect
 std::unique_ptr<TrafficFlow> makeFlow(const TrafficArea& area, const std::vector<int>& vehicles,
                                       RandomDraw draw);
 
-/// The speed with which a vehicle appears where the action says nothing: the limit there, else 50 km/h, never above its own greatest.
+/// The speed with which a vehicle appears where the action says nothing: the limit there, else 50 km/h, never
+/// above its own greatest.
 double usualSpeed(TrafficScene& scene, int vehicle, const RoadPlace& place);
 
 /// Whether a vehicle has room at a site: at least 8 m on its lane to every entity that is there.

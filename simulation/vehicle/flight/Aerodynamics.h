@@ -7,7 +7,8 @@
 namespace simulation
 {
 
-/// The surfaces as they stand. Radians; flaps in degrees. Positive: elevator's edge down, left aileron's edge down, rudder's edge left.
+/// The surfaces as they stand. Radians; flaps in degrees. Positive: elevator's edge down, left aileron's edge
+/// down, rudder's edge left.
 struct SurfaceAngles
 {
     double elevator = 0.0, aileron = 0.0, rudder = 0.0;
@@ -36,9 +37,10 @@ struct ForceMoment
     }
 };
 
-/// Forces of the air on the airframe, from the coefficients of the data file; beyond their range, those of a plate, over the whole
-/// circle. `arm`: from the centre of mass to the aerodynamic point, body axes.
-/// Source: Etkin, Reid, *Dynamics of Flight*, 3rd edition, 1996, chapters 4 and 5 (the build-up from derivatives); Viterna, Corrigan,
+/// Forces of the air on the airframe, from the coefficients of the data file; beyond their range, those of a
+/// plate, over the whole circle. `arm`: from the centre of mass to the aerodynamic point, body axes.
+/// Source: Etkin, Reid, *Dynamics of Flight*, 3rd edition, 1996, chapters 4 and 5 (the build-up from
+/// derivatives); Viterna, Corrigan,
 /// *Fixed Pitch Rotor Performance of Large Horizontal Axis Wind Turbines*, 1982 (the plate).
 ForceMoment aerodynamicForces(const AircraftData& aircraft, const AirData& air, const SurfaceAngles& surfaces,
                               const FlowState& flow, const glm::dvec3& arm);

@@ -204,8 +204,8 @@ void Aircraft::judgeContacts()
     }
 }
 
-/// A point far below the ground (a cliff, a start inside a hill) is lifted, without speed of its own: a spring so far pressed would
-/// throw the aircraft.
+/// A point far below the ground (a cliff, a start inside a hill) is lifted, without speed of its own: a
+/// spring so far pressed would throw the aircraft.
 void Aircraft::liftOutOfGround()
 {
     glm::dvec3 normal(0.0, 0.0, 1.0);

@@ -36,8 +36,9 @@ struct FlightReadings
 
 /// An aircraft that flies by its data file, at 120 steps a second.
 ///
-/// Forces of air and engine are computed once a step and carried to its middle from the last two; near the ground the step is divided
-/// for struts and tyres. Numbers that leave what can be computed end in VehicleCondition::failed, never in NaN.
+/// Forces of air and engine are computed once a step and carried to its middle from the last two; near the
+/// ground the step is divided for struts and tyres. Numbers that leave what can be computed end in
+/// VehicleCondition::failed, never in NaN.
 /// Cost: see docs/algorithms/flight.md.
 class Aircraft : public DynamicVehicle
 {

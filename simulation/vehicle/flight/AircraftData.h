@@ -14,7 +14,8 @@ namespace simulation
 {
 
 /// All that is known of one type of aircraft, as its data file has it (docs/reference/aircraft-file.md).
-/// Frame of places: the structural one, x aft, y right, z up, about any datum. Units: SI; degrees where the name says so.
+/// Frame of places: the structural one, x aft, y right, z up, about any datum. Units: SI; degrees where the
+/// name says so.
 
 /// What a coefficient may depend on.
 enum class Argument
@@ -31,8 +32,8 @@ enum class Argument
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Argument::count)> kArgumentNames{
     "none", "alphaDeg", "betaDeg", "flapDeg", "stalled", "heightOverSpan"};
 
-/// The parts of forces and moments. Each is multiplied by what its name says: angles in radians; rates as p·b/2V, q·c/2V, r·b/2V
-/// and α̇·c/2V. Drag of elevator and sideslip goes by the angle's amount.
+/// The parts of forces and moments. Each is multiplied by what its name says: angles in radians; rates as
+/// p·b/2V, q·c/2V, r·b/2V and α̇·c/2V. Drag of elevator and sideslip goes by the angle's amount.
 enum class Part
 {
     lift,
@@ -79,7 +80,8 @@ inline constexpr std::array<std::string_view, static_cast<std::size_t>(Part::cou
     "pitchFlap",   "pitchElevator", "pitchAlphaRate", "pitchPitchRate", "yaw",           "yawAileron",
     "yawRudder",   "yawRollRate",   "yawYawRate"};
 
-/// One coefficient: a table over up to two arguments. A part that the file leaves out is 0; a ground factor is 1.
+/// One coefficient: a table over up to two arguments. A part that the file leaves out is 0; a ground factor
+/// is 1.
 struct CoefficientTable
 {
     Argument row = Argument::none;

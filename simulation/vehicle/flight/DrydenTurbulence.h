@@ -19,10 +19,11 @@ struct TurbulenceConditions
     double wingSpanM = 10.0;
 };
 
-/// Gusts along and about the axes of an aircraft that flies through random air: Dryden's spectra as filters of white noise, discrete
-/// exactly for any step. The same seed gives the same gusts.
-/// Source: MIL-F-8785C, *Flying Qualities of Piloted Airplanes*, 1980, section 3.7; MIL-HDBK-1797, 1997, appendix A (angular rates).
-/// Below 1000 ft the scale goes with the height, above 2000 ft it is 1750 ft; between, linear.
+/// Gusts along and about the axes of an aircraft that flies through random air: Dryden's spectra as filters
+/// of white noise, discrete exactly for any step. The same seed gives the same gusts.
+/// Source: MIL-F-8785C, *Flying Qualities of Piloted Airplanes*, 1980, section 3.7; MIL-HDBK-1797, 1997,
+/// appendix A (angular rates). Below 1000 ft the scale goes with the height, above 2000 ft it is 1750 ft;
+/// between, linear.
 class DrydenTurbulence
 {
 public:

@@ -8,8 +8,8 @@ namespace simulation
 {
 
 /// The inputs of an aircraft, as places in DynamicVehicle::inputs(). Deflections -1…1, the rest 0…1.
-/// Signs are those of aerodynamics: elevator and aileron push the nose down and the right wing down, the rudder turns the nose
-/// left, for positive numbers.
+/// Signs are those of aerodynamics: elevator and aileron push the nose down and the right wing down, the
+/// rudder turns the nose left, for positive numbers.
 enum class FlightInput
 {
     elevator,

@@ -12,8 +12,8 @@ namespace simulation
 namespace
 {
 
-/// Force and moments of a turning propeller: thrust at a point that moves with the inflow's angle, and the reaction to its torque.
-/// The moving point stands for the uneven load of the disc in oblique air.
+/// Force and moments of a turning propeller: thrust at a point that moves with the inflow's angle, and the
+/// reaction to its torque. The moving point stands for the uneven load of the disc in oblique air.
 ForceMoment propellerLoad(const PropellerData& propeller, const PropellerOutput& output,
                           const glm::dvec3& velocity, const glm::dvec3& arm)
 {

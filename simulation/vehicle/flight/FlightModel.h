@@ -48,7 +48,8 @@ struct FlightLoads
 /// The surfaces at given inputs and flap angle.
 SurfaceAngles surfaceAngles(const AircraftData& aircraft, const FlightInputs& inputs, double flapDeg);
 
-/// Air, propeller and engine at one state. A function of its arguments alone: stepping and trimming use the same.
+/// Air, propeller and engine at one state. A function of its arguments alone: stepping and trimming use the
+/// same.
 FlightLoads flightLoads(const AircraftData& aircraft, const MassProperties& mass, const FlightState& state,
                         const FlightInputs& inputs, const FlightSurroundings& surroundings);
 

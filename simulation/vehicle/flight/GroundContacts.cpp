@@ -53,8 +53,8 @@ glm::dvec2 gripOf(const ContactData& data, const GroundControls& controls, const
 
 constexpr double kRollsMps = 1.0;
 
-/// How fast a rolling wheel takes its bend sideways out of the contact: after the relaxation length the force is that of the slip angle,
-/// corneringPerRad times the load.
+/// How fast a rolling wheel takes its bend sideways out of the contact: after the relaxation length the force
+/// is that of the slip angle, corneringPerRad times the load.
 double carriedOut(const Contact& contact, const ContactData& data, double rollingMps, double stepS)
 {
     constexpr double kLeastRelaxationM = 0.05;

@@ -32,9 +32,12 @@ struct Contact
 
 /// Springs, dampers and tyres of all points of contact.
 ///
-/// A tyre holds by a bent bristle: it bends with the sliding speed until its force is what friction allows; so an aircraft that stands
-/// does not creep. A wheel that rolls takes the bend sideways out of its contact, so its force is that of the slip angle, up to friction. Source: Dahl, *A Solid Friction Model*, 1968, in the form of a spring with a limit; Currey, *Aircraft Landing Gear Design*, 1988,
-/// chapter 5 (struts); Pacejka, *Tire and Vehicle Dynamics*, 2nd edition, 2006, section 5.2 (the stretched string: relaxation length, slip angle).
+/// A tyre holds by a bent bristle: it bends with the sliding speed until its force is what friction allows;
+/// so an aircraft that stands does not creep. A wheel that rolls takes the bend sideways out of its contact,
+/// so its force is that of the slip angle, up to friction. Source: Dahl, *A Solid Friction Model*, 1968, in
+/// the form of a spring with a limit; Currey, *Aircraft Landing Gear Design*, 1988, chapter 5 (struts);
+/// Pacejka, *Tire and Vehicle Dynamics*, 2nd edition, 2006, section 5.2 (the stretched string: relaxation
+/// length, slip angle).
 class GroundContacts
 {
 public:

@@ -23,13 +23,16 @@ struct EngineOutput
     double fuelKgPerS = 0.0;
 };
 
-/// The pressure towards which the manifold tends: air loses pressure in the intake and at the throttle. Units: Pa, rad/s.
+/// The pressure towards which the manifold tends: air loses pressure in the intake and at the throttle.
+/// Units: Pa, rad/s.
 double steadyManifoldPa(const EngineData& engine, double throttle, double speedRadps, double ambientPa);
 
 /// Shaft torque and fuel of a piston engine without supercharger at a manifold pressure.
-/// Indicated work from fuel and its efficiency over richness, less friction and pumping. The carburettor enriches with height.
-/// Source: Heywood, *Internal Combustion Engine Fundamentals*, 1988, sections 2.9, 6.2, 13.5; Taylor, *The Internal Combustion Engine in Theory
-/// and Practice*, 2nd edition, 1985, volume 1, chapter 6 (volumetric efficiency and residual gas).
+/// Indicated work from fuel and its efficiency over richness, less friction and pumping. The carburettor
+/// enriches with height.
+/// Source: Heywood, *Internal Combustion Engine Fundamentals*, 1988, sections 2.9, 6.2, 13.5; Taylor, *The
+/// Internal Combustion Engine in Theory and Practice*, 2nd edition, 1985, volume 1, chapter 6 (volumetric
+/// efficiency and residual gas).
 EngineOutput engineOutput(const EngineData& engine, const EngineControls& controls, double speedRadps,
                           double manifoldPa, const AirSample& air);
 

@@ -15,8 +15,9 @@ struct PropellerOutput
 };
 
 /// A propeller of fixed pitch from its coefficients over the advance ratio. `forwardMps`: along its axis.
-/// Source: McCormick, *Aerodynamics, Aeronautics, and Flight Mechanics*, 2nd edition, 1995, section 6 (coefficients; momentum theory for the
-/// induced velocity). Limit: at rest in a wind from behind, the coefficients of the advance ratio 0 hold.
+/// Source: McCormick, *Aerodynamics, Aeronautics, and Flight Mechanics*, 2nd edition, 1995, section 6
+/// (coefficients; momentum theory for the induced velocity). Limit: at rest in a wind from behind, the
+/// coefficients of the advance ratio 0 hold.
 PropellerOutput propellerOutput(const PropellerData& propeller, double speedRadps, double forwardMps,
                                 double densityKgPerM3);
 

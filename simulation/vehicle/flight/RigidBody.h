@@ -35,9 +35,10 @@ glm::dvec3 accelerationOf(const BodyMotion& motion, const MassProperties& mass, 
 glm::dvec3 angularAccelerationOf(const glm::dvec3& rates, const MassProperties& mass,
                                  const glm::dvec3& bodyMoment, double spin);
 
-/// Moves a body by one step: rates by the midpoint rule, the attitude by the exponential of their mean, velocity with the force turned to
-/// the middle of the step, position by the trapezoid.
-/// Source: Stevens, Lewis, *Aircraft Control and Simulation*, 2nd edition, 2003, sections 1.3 and 1.4 (equations over a turning Earth).
+/// Moves a body by one step: rates by the midpoint rule, the attitude by the exponential of their mean,
+/// velocity with the force turned to the middle of the step, position by the trapezoid.
+/// Source: Stevens, Lewis, *Aircraft Control and Simulation*, 2nd edition, 2003, sections 1.3 and 1.4
+/// (equations over a turning Earth).
 void advance(BodyMotion& motion, const MassProperties& mass, const ForceMoment& load,
              const BodySurroundings& surroundings, double stepS);
 

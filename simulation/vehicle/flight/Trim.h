@@ -32,10 +32,11 @@ struct TrimmedFlight
     double pathDeg = 0.0;
 };
 
-/// Finds the steady flight: angle of attack, bank or sideslip, surfaces, throttle or climb angle, and engine speed for which neither
-/// velocity nor rates change, by Newton's method on seven equations.
+/// Finds the steady flight: angle of attack, bank or sideslip, surfaces, throttle or climb angle, and engine
+/// speed for which neither velocity nor rates change, by Newton's method on seven equations.
 /// `air`: at the position. `fuelKg` as the data file has it.
-/// Errors: no such flight within the travel of the controls (stall, too fast, too little power), naming what was wanting.
+/// Errors: no such flight within the travel of the controls (stall, too fast, too little power), naming what
+/// was wanting.
 /// Source: Stevens, Lewis, *Aircraft Control and Simulation*, 2nd edition, 2003, section 3.6.
 foundation::Result<TrimmedFlight> trim(const AircraftData& aircraft, const EarthFrame& earth,
                                        const AirSample& air, const TrimTarget& target);

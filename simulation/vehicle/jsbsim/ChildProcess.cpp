@@ -22,7 +22,8 @@ std::string reasonOf(int error)
     return std::generic_category().message(error);
 }
 
-/// In the child, between fork and exec: only what is safe there. Tells why it cannot go on by a number in `report`.
+/// In the child, between fork and exec: only what is safe there. Tells why it cannot go on by a number in
+/// `report`.
 [[noreturn]] void becomeProgram(char* const* arguments, const char* outputFile, int pipeEnd, int report,
                                 pid_t parent)
 {
@@ -44,7 +45,8 @@ std::string reasonOf(int error)
     if (dup2(nothing, 0) < 0 || dup2(output, 1) < 0 || dup2(output, 2) < 0 ||
         dup2(end, ChildProcess::kPipeInChild) < 0)
         give(errno);
-    // Whatever else is open here closes when the program begins; a kernel that cannot do so leaves it the files that ask for no such thing.
+    // Whatever else is open here closes when the program begins; a kernel that cannot do so leaves it the
+    // files that ask for no such thing.
     close_range(ChildProcess::kPipeInChild + 1, ~0U, CLOSE_RANGE_CLOEXEC);
     execvp(arguments[0], arguments);
     give(errno);

@@ -11,8 +11,8 @@
 namespace simulation
 {
 
-/// A program that runs beside this one and writes to a pipe of its own. It never outlives this object, nor the thread that started it:
-/// it is killed and waited for.
+/// A program that runs beside this one and writes to a pipe of its own. It never outlives this object, nor
+/// the thread that started it: it is killed and waited for.
 /// Threads: one. Only for Linux (the death of the parent is told by prctl).
 class ChildProcess
 {

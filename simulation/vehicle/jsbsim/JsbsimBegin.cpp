@@ -122,7 +122,8 @@ void JsbsimVehicle::examineFeet()
     if (!(_wingSpanM > 0.1)) _wingSpanM = 10.0;
 }
 
-/// The axle of the main wheels: those beside the middle, else the rearmost; without wheels the lowest point of the structure.
+/// The axle of the main wheels: those beside the middle, else the rearmost; without wheels the lowest point
+/// of the structure.
 void JsbsimVehicle::findReference()
 {
     constexpr double kMiddleM = 0.1;

@@ -8,7 +8,8 @@
 namespace simulation
 {
 
-/// A further input of a JSBSim aircraft, besides those that every aircraft has (an autopilot's switch, a gear lever).
+/// A further input of a JSBSim aircraft, besides those that every aircraft has (an autopilot's switch, a gear
+/// lever).
 struct JsbsimInput
 {
     std::string name;     ///< in inputs files

@@ -48,8 +48,8 @@ private:
 /// The state at the begin, as an initialisation file of JSBSim.
 std::string jsbsimStateText(const JsbsimStart& start);
 
-/// A run script of JSBSim: the aircraft, the state of `stateFile`, orders by the TCP port, a row of kJsbsimProperties for each of
-/// `stepsPerSecond` steps to the file `outputNumber` of the process.
+/// A run script of JSBSim: the aircraft, the state of `stateFile`, orders by the TCP port, a row of
+/// kJsbsimProperties for each of `stepsPerSecond` steps to the file `outputNumber` of the process.
 std::string jsbsimScriptText(const JsbsimData& data, const JsbsimStart& start,
                              const std::filesystem::path& stateFile, int port, int outputNumber,
                              int stepsPerSecond);

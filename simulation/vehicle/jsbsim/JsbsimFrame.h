@@ -10,10 +10,11 @@ namespace simulation
 
 /// How JSBSim's Earth lies in a scene: turned and moved so that its level at one place is the scene's there.
 ///
-/// Debian's JSBSim measures heights over a sphere of the equator's radius and levels across the line to its middle; newer ones have the
-/// ellipsoid. Laid on at the begin, either fits: 50 km away the levels differ by 1e-4 rad at most, and the height over the ground is handed over as
-/// such, so that wheels do not notice.
-/// Frames: JSBSim's is Earth-fixed with x to 0° of longitude, z north; the scene's is east-north-up. Units: metres.
+/// Debian's JSBSim measures heights over a sphere of the equator's radius and levels across the line to its
+/// middle; newer ones have the ellipsoid. Laid on at the begin, either fits: 50 km away the levels differ by
+/// 1e-4 rad at most, and the height over the ground is handed over as such, so that wheels do not notice.
+/// Frames: JSBSim's is Earth-fixed with x to 0° of longitude, z north; the scene's is east-north-up. Units:
+/// metres.
 class JsbsimFrame
 {
 public:

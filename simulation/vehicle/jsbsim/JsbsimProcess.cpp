@@ -157,7 +157,8 @@ foundation::Outcome JsbsimProcess::open(int port)
     return foundation::success();
 }
 
-/// The row of the first step; one before it, at the time 0, is passed over. A JSBSim that waits for orders gets one.
+/// The row of the first step; one before it, at the time 0, is passed over. A JSBSim that waits for orders
+/// gets one.
 JsbsimFault JsbsimProcess::readFirstRow()
 {
     constexpr double kOrderedAfterS = 0.2;

@@ -23,12 +23,13 @@ enum class JsbsimFault
     outOfStep   ///< its clock is not one step further
 };
 
-/// A JSBSim in lockstep: it makes a step when it is told to, and waits without work meanwhile. What it is told acts with the step after: it has
-/// moved on when it takes orders.
+/// A JSBSim in lockstep: it makes a step when it is told to, and waits without work meanwhile. What it is
+/// told acts with the step after: it has moved on when it takes orders.
 ///
-/// Orders go by TCP to its port on the loopback; its answers there have six digits only, so the numbers of each step come by a pipe of its
-/// own, with all digits. The port is one that was free; since JSBSim opens it later, another program may have taken it meanwhile, which
-/// shows (the row of the first step stays away) and is tried again. Cost: some 50 µs a step, its own work included.
+/// Orders go by TCP to its port on the loopback; its answers there have six digits only, so the numbers of
+/// each step come by a pipe of its own, with all digits. The port is one that was free; since JSBSim opens it
+/// later, another program may have taken it meanwhile, which shows (the row of the first step stays away) and
+/// is tried again. Cost: some 50 µs a step, its own work included.
 /// Source: how Debian's JSBSim (FlightGear 2020.3.16) behaves; docs/decisions/0036-jsbsim-as-a-process.md.
 class JsbsimProcess
 {
@@ -44,7 +45,8 @@ public:
     JsbsimProcess(const JsbsimProcess&) = delete;
     JsbsimProcess& operator=(const JsbsimProcess&) = delete;
 
-    /// The value of a property that was asked for at the start, after the last step; nothing where the aircraft lacks it, or it is no number.
+    /// The value of a property that was asked for at the start, after the last step; nothing where the
+    /// aircraft lacks it, or it is no number.
     std::optional<double> value(const std::string& property) const;
 
     /// Sets properties (lines `set PROPERTY VALUE`, which must exist) and makes one step.

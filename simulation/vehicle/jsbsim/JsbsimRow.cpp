@@ -30,8 +30,8 @@ std::vector<std::string_view> cellsOf(std::string_view line)
     return cells;
 }
 
-/// Whether a caption names a property: by itself or below the node that FlightGear's JSBSim puts before it, with or without the number of
-/// the first of several.
+/// Whether a caption names a property: by itself or below the node that FlightGear's JSBSim puts before it,
+/// with or without the number of the first of several.
 bool isCaptionOf(std::string_view caption, std::string_view property)
 {
     constexpr std::string_view kPrefix = "/fdm/jsbsim/", kFirst = "[0]";

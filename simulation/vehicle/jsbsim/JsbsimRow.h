@@ -12,7 +12,8 @@ namespace simulation
 
 inline constexpr double kJsbsimFootM = 0.3048;
 
-/// What is read of JSBSim after each step. Units: feet, radians, seconds, as JSBSim has them; its Earth's and local axes.
+/// What is read of JSBSim after each step. Units: feet, radians, seconds, as JSBSim has them; its Earth's and
+/// local axes.
 enum class JsbsimColumn
 {
     time,

@@ -16,14 +16,16 @@ namespace simulation
 
 /// An aircraft that JSBSim flies, in a process of its own, at 120 steps a second.
 ///
-/// Its inputs are those of FlightInputs and then those of its data. Before each step JSBSim gets the inputs that have changed, the wind, the
-/// turbulence and the height of the ground below the centre of mass: one height, level; it asks for none below each wheel. Its atmosphere,
-/// gravity and sea are its own.
+/// Its inputs are those of FlightInputs and then those of its data. Before each step JSBSim gets the inputs
+/// that have changed, the wind, the turbulence and the height of the ground below the centre of mass: one
+/// height, level; it asks for none below each wheel. Its atmosphere, gravity and sea are its own.
 ///
-/// A JSBSim that hangs, ends, answers nonsense, leaps or whose numbers are no numbers ends in VehicleCondition::failed: it is killed and the
-/// aircraft stands still at its last good state. One that touches the ground with more than its wheels at more than 5 m/s, or comes down on
-/// water, has crashed and goes on without power.
-/// Determinism: the same inputs, ground and air give the same bytes, as JSBSim does. Source: docs/decisions/0036-jsbsim-as-a-process.md.
+/// A JSBSim that hangs, ends, answers nonsense, leaps or whose numbers are no numbers ends in
+/// VehicleCondition::failed: it is killed and the aircraft stands still at its last good state. One that
+/// touches the ground with more than its wheels at more than 5 m/s, or comes down on water, has crashed and
+/// goes on without power.
+/// Determinism: the same inputs, ground and air give the same bytes, as JSBSim does. Source:
+/// docs/decisions/0036-jsbsim-as-a-process.md.
 class JsbsimVehicle final : public DynamicVehicle
 {
 public:
@@ -36,8 +38,9 @@ public:
     double stepSeconds() const override { return kStepS; }
     void step(const Ground& ground, const Air& air) override;
 
-    /// In the air JSBSim is told to find a steady flight; where it finds none, the aircraft begins level, and note() says so. On the ground it is
-    /// let down onto its wheels, brakes set, and then rolls. Errors: besides those of checkFlyingStart() and checkStandingStart() those of JsbsimProcess.
+    /// In the air JSBSim is told to find a steady flight; where it finds none, the aircraft begins level, and
+    /// note() says so. On the ground it is let down onto its wheels, brakes set, and then rolls. Errors:
+    /// besides those of checkFlyingStart() and checkStandingStart() those of JsbsimProcess.
     foundation::Outcome begin(const VehicleStart& start, const Ground& ground, const Air& air) override;
     glm::dvec3 referencePoint() const override { return _reference; }
     void writeParts(EntityState& entity) const override;

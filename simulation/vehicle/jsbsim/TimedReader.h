@@ -23,7 +23,8 @@ public:
     /// `file`: its number; it stays with whoever opened it.
     explicit TimedReader(int file = -1) : _file(file) {}
 
-    /// Reads up to the next `mark`, which is taken away. Units: seconds. `text` is empty where it is not complete.
+    /// Reads up to the next `mark`, which is taken away. Units: seconds. `text` is empty where it is not
+    /// complete.
     ReadEnd until(std::string_view mark, double withinS, std::string& text);
 
     /// Throws away all that has come so far.

@@ -31,8 +31,8 @@ struct SolidHit
 
 /// Rigid bodies of boxes that meet each other and the ground: a world of Bullet in double precision.
 ///
-/// Forces are added before each step and hold for it alone. The ground is met only where a body has been given a patch of it. One thread,
-/// a fixed order of bodies: the same calls give the same bytes.
+/// Forces are added before each step and hold for it alone. The ground is met only where a body has been
+/// given a patch of it. One thread, a fixed order of bodies: the same calls give the same bytes.
 class BodyWorld
 {
 public:
@@ -52,7 +52,8 @@ public:
     /// A force at a point given from the centre of mass, scene's axes. Units: N, metres.
     void push(int body, const glm::dvec3& force, const glm::dvec3& arm);
 
-    /// Lays a patch of the ground below a body, or takes it away. The ground must answer as before while it lies.
+    /// Lays a patch of the ground below a body, or takes it away. The ground must answer as before while it
+    /// lies.
     void layGround(int body, const Ground& ground, double reachM);
     void liftGround(int body);
 

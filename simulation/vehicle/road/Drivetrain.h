@@ -21,10 +21,12 @@ struct DrivetrainState
 
 /// Engine, clutch or converter, gearbox and final drive.
 ///
-/// A clutch is dry friction, solved for the torque that makes both sides turn alike within the step, up to what it carries; a converter
-/// follows its tables. An automatic shifts by engine speed and pedal. The engine is held at idle, fades out above its limit, and stalls
-/// when a closed clutch turns it too slowly; with the clutch pressed, or in neutral, it starts anew.
-/// Source: Kiencke, Nielsen, *Automotive Control Systems*, 2nd edition, 2005, chapters 5 and 6 (driveline, converter).
+/// A clutch is dry friction, solved for the torque that makes both sides turn alike within the step, up to
+/// what it carries; a converter follows its tables. An automatic shifts by engine speed and pedal. The engine
+/// is held at idle, fades out above its limit, and stalls when a closed clutch turns it too slowly; with the
+/// clutch pressed, or in neutral, it starts anew.
+/// Source: Kiencke, Nielsen, *Automotive Control Systems*, 2nd edition, 2005, chapters 5 and 6 (driveline,
+/// converter).
 class Drivetrain
 {
 public:
@@ -39,7 +41,8 @@ public:
     /// Chooses gears; once a step. `shaftRadps`: of the driven wheels' mean.
     void choose(const RoadInputs& inputs, double shaftRadps, double stepS);
 
-    /// Advances the engine, and returns the torque on all driven wheels together. Units: Nm. `wheelsInertiaKgM2`: of all driven wheels.
+    /// Advances the engine, and returns the torque on all driven wheels together. Units: Nm.
+    /// `wheelsInertiaKgM2`: of all driven wheels.
     double drive(const RoadInputs& inputs, double shaftRadps, double wheelsInertiaKgM2, double stepS);
 
     /// The engine stands from now on.

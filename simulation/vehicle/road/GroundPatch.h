@@ -11,7 +11,8 @@
 namespace simulation
 {
 
-/// Pieces of the ground below bodies, as a shape of Bullet: triangles over cells of half a metre, of a metre below large bodies.
+/// Pieces of the ground below bodies, as a shape of Bullet: triangles over cells of half a metre, of a metre
+/// below large bodies.
 class GroundPatches : public btConcaveShape
 {
 public:

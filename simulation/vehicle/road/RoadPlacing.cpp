@@ -18,7 +18,8 @@ namespace simulation
 namespace
 {
 
-/// The axes of a body on the ground below its four wheels; nothing where that is not known. `place` becomes the reference point.
+/// The axes of a body on the ground below its four wheels; nothing where that is not known. `place` becomes
+/// the reference point.
 std::optional<glm::dmat3> standOn(const RoadVehicleData& vehicle, const Ground& ground, double headingRad,
                                   glm::dvec3& place)
 {

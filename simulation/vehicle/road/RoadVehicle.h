@@ -36,7 +36,8 @@ struct RoadWheel
     bool isTouching() const { return loadN > 0.0; }
 };
 
-/// Where a vehicle begins: its reference point (on the ground below the middle of the rear axle), heading from x towards y, speed.
+/// Where a vehicle begins: its reference point (on the ground below the middle of the rear axle), heading
+/// from x towards y, speed.
 struct RoadStart
 {
     glm::dvec3 position{0.0}; ///< of surfaces over each other, the one at this height
@@ -55,17 +56,21 @@ struct RoadReadings
     int gear = 0;
 };
 
-/// A road vehicle that drives by its data file, at 120 steps a second; eight shorter ones in each for tyres, wheels and the body.
+/// A road vehicle that drives by its data file, at 120 steps a second; eight shorter ones in each for tyres,
+/// wheels and the body.
 ///
-/// The body is a rigid body of Bullet; its hull meets the ground and other bodies of its BodyWorld. Wheels move up and down in the
-/// body and turn; their tyres stand on `Ground`. Numbers that leave what can be computed end in VehicleCondition::failed, never in NaN.
-/// A wheel's mass counts with the body; its hop is that of its mass between tyre and spring.
-/// Source: Rill, *Road Vehicle Dynamics*, 2011, chapters 3 to 8 (load transfer, suspension, drive); Pacejka as in Tyre.h.
+/// The body is a rigid body of Bullet; its hull meets the ground and other bodies of its BodyWorld. Wheels
+/// move up and down in the body and turn; their tyres stand on `Ground`. Numbers that leave what can be
+/// computed end in VehicleCondition::failed, never in NaN. A wheel's mass counts with the body; its hop is
+/// that of its mass between tyre and spring.
+/// Source: Rill, *Road Vehicle Dynamics*, 2011, chapters 3 to 8 (load transfer, suspension, drive); Pacejka
+/// as in Tyre.h.
 /// Cost: see docs/algorithms/driving.md.
 class RoadVehicle : public DynamicVehicle
 {
 public:
-    /// `earth`: null for a scene without a place on the Earth. `world`: null for a vehicle that meets no other.
+    /// `earth`: null for a scene without a place on the Earth. `world`: null for a vehicle that meets no
+    /// other.
     explicit RoadVehicle(std::shared_ptr<const RoadVehicleData> data,
                          std::shared_ptr<const EarthFrame> earth = nullptr,
                          std::shared_ptr<BodyWorld> world = nullptr);
@@ -85,8 +90,8 @@ public:
     /// Steps vehicles that share a world.
     static void stepTogether(std::span<RoadVehicle* const> vehicles, const Ground& ground, const Air& air);
 
-    /// Puts the vehicle onto the ground, rolling without slip. A start that is not finite or without ground is refused, and the status
-    /// says so.
+    /// Puts the vehicle onto the ground, rolling without slip. A start that is not finite or without ground
+    /// is refused, and the status says so.
     void place(const RoadStart& start, const Ground& ground, double timeS = 0.0);
 
     const RoadVehicleData& data() const { return *_data; }

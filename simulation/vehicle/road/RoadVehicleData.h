@@ -12,9 +12,10 @@
 namespace simulation
 {
 
-/// All that is known of one type of road vehicle, as its data file has it (docs/reference/road-vehicle-file.md).
-/// Frame of places: x forward, y left, z up, about the point on the ground below the middle of the rear axle, as the vehicle stands
-/// with its loads. Units: SI; degrees and 1/min where the name says so.
+/// All that is known of one type of road vehicle, as its data file has it
+/// (docs/reference/road-vehicle-file.md).
+/// Frame of places: x forward, y left, z up, about the point on the ground below the middle of the rear axle,
+/// as the vehicle stands with its loads. Units: SI; degrees and 1/min where the name says so.
 
 /// A part of the vehicle or of its load.
 struct RoadMass
@@ -130,7 +131,8 @@ struct BrakeData
     double absFromMps = 0.0;
 };
 
-/// What vehicles of the class reach on dry asphalt, and how far these figures reach: see qualification/DriveChecks.h.
+/// What vehicles of the class reach on dry asphalt, and how far these figures reach: see
+/// qualification/DriveChecks.h.
 struct PerformanceData
 {
     double toKmh = 0.0, accelerateS = 0.0, accelerateToleranceS = 0.0; ///< from a standstill
@@ -155,8 +157,8 @@ struct RoadVehicleData
     double wheelbaseM() const { return axles[0].xM - axles[1].xM; }
 };
 
-/// Mass, centre and principal inertia of a loaded vehicle. Products of inertia, small in vehicles that are alike on both sides, are
-/// left out. Units: kg, m, kg m².
+/// Mass, centre and principal inertia of a loaded vehicle. Products of inertia, small in vehicles that are
+/// alike on both sides, are left out. Units: kg, m, kg m².
 struct RoadMassProperties
 {
     double massKg = 0.0;

@@ -42,9 +42,10 @@ double RoadVehicle::springForce(std::size_t index) const
     return force;
 }
 
-/// Holds a braked wheel near the slip at which friction peaks: the brake follows what the tyre bears, more below that slip and less
-/// above it, as fast as valves let it. Source: Savaresi, Tanelli, *Active Braking Control Systems Design for Vehicles*, 2010, chapter 3
-/// (slip control). Differs: it knows the tyre's slip and force.
+/// Holds a braked wheel near the slip at which friction peaks: the brake follows what the tyre bears, more
+/// below that slip and less above it, as fast as valves let it. Source: Savaresi, Tanelli, *Active Braking
+/// Control Systems Design for Vehicles*, 2010, chapter 3 (slip control). Differs: it knows the tyre's slip
+/// and force.
 void RoadVehicle::antiLock(RoadWheel& wheel, double wheelBrakeNm, double rollingMps, double stepS) const
 {
     const BrakeData& brakes = _data->brakes;

@@ -19,15 +19,16 @@ struct WheelContact
     glm::dvec3 normal{0.0, 0.0, 1.0};
 };
 
-/// The ground below one wheel during a step: heights along its way, from behind the wheel to ahead of where the step takes it, and the
-/// slope across it. A kerb is a steep piece of that line, so that a wheel meets its edge and not a jump, however fast.
+/// The ground below one wheel during a step: heights along its way, from behind the wheel to ahead of where
+/// the step takes it, and the slope across it. A kerb is a steep piece of that line, so that a wheel meets
+/// its edge and not a jump, however fast.
 class WheelGround
 {
 public:
     static constexpr std::size_t kMostPoints = 14;
 
-    /// The points that must be asked for: heights along `forward` (horizontal, of length 1), then one on each side. `travelM`: how far
-    /// the hub moves in the step, along it.
+    /// The points that must be asked for: heights along `forward` (horizontal, of length 1), then one on each
+    /// side. `travelM`: how far the hub moves in the step, along it.
     std::span<const glm::dvec3> pointsFor(const glm::dvec3& hub, const glm::dvec3& forward, double radiusM,
                                           double widthM, double travelM);
 

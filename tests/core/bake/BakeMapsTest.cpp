@@ -28,7 +28,8 @@ ColourAt one(const glm::vec4& colour)
     return [colour](std::uint32_t, const glm::dvec3&, std::uint32_t) { return colour; };
 }
 
-/// Calls `look` for every texel with its centre in a face: with the face, and with the centre's position on it.
+/// Calls `look` for every texel with its centre in a face: with the face, and with the centre's position on
+/// it.
 template<class Look>
 void forEachCovered(const Mesh& mesh, const Atlas& atlas, const Look& look)
 {
@@ -101,7 +102,8 @@ float checker(const glm::dvec3& p)
     return (static_cast<int>(std::floor(p.x)) + static_cast<int>(std::floor(p.y))) % 2 == 0 ? 0.0f : 1.0f;
 }
 
-/// Returns the number of texels, farther than one from a border of squares, that do not have the colour of their square.
+/// Returns the number of texels, farther than one from a border of squares, that do not have the colour of
+/// their square.
 std::size_t wrongSquares(const glm::dvec3& shift)
 {
     const Mesh full = testsupport::grid(16, 16);
@@ -150,7 +152,8 @@ Mesh plate(double height)
     return meshOf(corners, {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}});
 }
 
-/// Returns the number of texels of the upper side that show the lower one, or the reverse. The upper side is red.
+/// Returns the number of texels of the upper side that show the lower one, or the reverse. The upper side is
+/// red.
 std::size_t wrongSides(const Mesh& simplified, double reach = 0.0)
 {
     const Mesh full = plate(0.0);
@@ -220,7 +223,8 @@ TEST(BakeMaps, APartThatIsGoneIsPaintedWhereItWas)
     EXPECT_GT(texelsOfSign(false), 500u);
 }
 
-/// Returns the number of texels that mipmap level `levels` reads for a covered texel and that do not have its colour.
+/// Returns the number of texels that mipmap level `levels` reads for a covered texel and that do not have its
+/// colour.
 std::size_t bleeding(int gutterPx, int levels)
 {
     const Mesh mesh = testsupport::cube();

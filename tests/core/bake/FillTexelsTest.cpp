@@ -10,7 +10,8 @@ using Texel = std::array<std::uint8_t, 2>;
 
 TEST(FillTexels, KeepsWhatIsShownAndGivesTheRestTheMeanOfTheNearest)
 {
-    // Two texels of the lower left quarter are filled; the nearest value for the upper right one is their mean.
+    // Two texels of the lower left quarter are filled; the nearest value for the upper right one is their
+    // mean.
     std::vector<Texel> texels(16, {99, 99});
     std::vector<std::uint8_t> isShown(16, 0);
     texels[0] = {10, 200}, isShown[0] = 1;

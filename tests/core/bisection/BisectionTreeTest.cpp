@@ -98,7 +98,8 @@ TEST(BisectionTree, staysConformingThroughRandomOperationsOnAnyMesh)
     }
 }
 
-/// What is left without a vertex, step by step: triangles go whose parents, or whose base neighbour, have gone.
+/// What is left without a vertex, step by step: triangles go whose parents, or whose base neighbour, have
+/// gone.
 std::vector<bool> splitsWithout(const BisectionTree& tree, Bisector removed)
 {
     std::vector<bool> splits = splitsOf(tree);

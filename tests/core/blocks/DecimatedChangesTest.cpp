@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests what blocks that drop rows and columns do from frame to frame: changes, ceilings, morphing, edits, and queries of their surface.
+// Tests what blocks that drop rows and columns do from frame to frame: changes, ceilings, morphing, edits,
+// and queries of their surface.
 #include <iostream>
 #include <set>
 

@@ -138,7 +138,8 @@ TEST(DecimatedMesh, ErrorsInMetresAreKeptAndSmallerOnesAreFound)
 
 TEST(DecimatedMesh, ErrorsOfFansCount)
 {
-    // A plain, and beside it waves that grow with the distance from it: the fans are off by more than the block.
+    // A plain, and beside it waves that grow with the distance from it: the fans are off by more than the
+    // block.
     HeightField field = testsupport::hills(65, 65, 30.0);
     for (int row = 0; row < 65; ++row)
         for (int column = 0; column < 65; ++column)

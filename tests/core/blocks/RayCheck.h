@@ -64,7 +64,8 @@ private:
         glm::dvec3 corner, u, w;
     };
 
-    /// Möller and Trumbore, *Fast, minimum storage ray-triangle intersection*, 1997. A ray through an edge meets both triangles.
+    /// Möller and Trumbore, *Fast, minimum storage ray-triangle intersection*, 1997. A ray through an edge
+    /// meets both triangles.
     std::optional<double> meet(const Triangle& t, const glm::dvec3& direction) const
     {
         constexpr double kEdge = 1e-9;

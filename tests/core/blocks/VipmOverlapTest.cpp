@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests blocks of progressive meshes that overlap: by the brute-force check of the uppermost surface, and by rays against all triangles.
+// Tests blocks of progressive meshes that overlap: by the brute-force check of the uppermost surface, and by
+// rays against all triangles.
 #include <osgTerrainROAM/core/blocks/VipmMesh.h>
 #include <osgTerrainROAM/core/edit/TileEditor.h>
 #include <osgTerrainROAM/core/heightfield/DemImport.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ride by hand at the pace of a wall clock that the test turns: slow pictures never change what the vehicle does.
+// A ride by hand at the pace of a wall clock that the test turns: slow pictures never change what the vehicle
+// does.
 #include "simulation/player/LivePlay.h"
 
 #include <cstring>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The autopilot and hills: it climbs over them, turns away from those that it cannot climb over, and lays its circuit where the ground is low.
-// Each flight has its control without the guard, which ends in the hill.
+// The autopilot and hills: it climbs over them, turns away from those that it cannot climb over, and lays its
+// circuit where the ground is low. Each flight has its control without the guard, which ends in the hill.
 #include <cmath>
 #include <numbers>
 #include <optional>

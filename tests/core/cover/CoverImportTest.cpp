@@ -21,7 +21,8 @@ constexpr int kSide = 240;
 constexpr double kStepDeg = 0.00025;
 constexpr double kWest = 8.0, kNorth = 46.052; ///< the tile reaches from 46 and 8 to 46.0533 and 8.0533
 
-/// The raster's class at a pixel from the upper left: islands of three classes, a hole without data, one unknown code.
+/// The raster's class at a pixel from the upper left: islands of three classes, a hole without data, one
+/// unknown code.
 int classAt(int x, int y)
 {
     if (x < 20) return 0;

@@ -42,8 +42,8 @@ TEST_P(DriveChecksOf, AllPass)
 
 INSTANTIATE_TEST_SUITE_P(Vehicles, DriveChecksOf, testing::ValuesIn(testsupport::kVehicleNames));
 
-// Cars that are wrong in one thing each; the model that they are compared with is that of the file in use, so what fails the check of
-// a law is a car that leaves the law's range.
+// Cars that are wrong in one thing each; the model that they are compared with is that of the file in use, so
+// what fails the check of a law is a car that leaves the law's range.
 TEST(DriveChecksTest, EachCanFail)
 {
     const std::vector<std::function<void(RoadVehicleData&)>> faults{

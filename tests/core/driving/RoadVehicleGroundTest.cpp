@@ -108,7 +108,8 @@ TEST_P(VehicleOnGround, FallsDownACliffAndLies)
 
 INSTANTIATE_TEST_SUITE_P(Vehicles, VehicleOnGround, testing::ValuesIn(testsupport::kVehicleNames));
 
-// With tyres that grip better than a van is wide over its height, a hard turn tips it; with its own it slides.
+// With tyres that grip better than a van is wide over its height, a hard turn tips it; with its own it
+// slides.
 TEST(RoadVehicleTest, RollsOverWhereTyresHoldMoreThanItsWidthBears)
 {
     RoadVehicleData sticky = *roadVehicle("van");

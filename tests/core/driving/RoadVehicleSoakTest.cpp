@@ -39,7 +39,8 @@ class RoadVehicleSoak : public testing::TestWithParam<const char*>
 {
 };
 
-// Random controls, gusts and terrain, started anew every 20 s: no number is lost, and no energy comes but from engine, fall and wind.
+// Random controls, gusts and terrain, started anew every 20 s: no number is lost, and no energy comes but
+// from engine, fall and wind.
 TEST_P(RoadVehicleSoak, KeepsItsNumbersAndItsEnergy)
 {
     WeatherSettings weather;

@@ -25,7 +25,8 @@ public:
     const osgTerrainROAM::core::Ribbon& ribbon() const { return _ribbon; }
     const osgTerrainROAM::core::PlanLine& line() const { return _line; }
 
-    /// The largest difference between ground queries and its heights, every `stepM` along it and at points beside its middle.
+    /// The largest difference between ground queries and its heights, every `stepM` along it and at points
+    /// beside its middle.
     double worstM(const osgTerrainROAM::core::RoamTile& tile, double stepM,
                   std::span<const double> sidesM) const
     {

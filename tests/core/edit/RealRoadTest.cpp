@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roads through real ground: exact over their width, and drawn within the error target from the driver's eye and from 500 m.
+// Roads through real ground: exact over their width, and drawn within the error target from the driver's eye
+// and from 500 m.
 #include <array>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fuzz target without a fuzzer: a randomly damaged map is read or refused, and features that are read can be painted.
+// The fuzz target without a fuzzer: a randomly damaged map is read or refused, and features that are read can
+// be painted.
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/features/FeatureCover.h>

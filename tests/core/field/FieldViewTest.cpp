@@ -221,7 +221,8 @@ TEST(FieldView, LendsWhatItChoseToTheCameraOfAShadow)
         const auto all = rungsByX(whole), chosen = rungsByX(drawList);
         EXPECT_TRUE(std::includes(all.begin(), all.end(), chosen.begin(), chosen.end())) << frame;
 
-        // Parallel rays of 1 m: no more triangles than pixels ask for, and what is smaller than a pixel is left out.
+        // Parallel rays of 1 m: no more triangles than pixels ask for, and what is smaller than a pixel is
+        // left out.
         const FieldDrawList coarse = memory.lend(borrower, 1.0);
         EXPECT_LT(coarse.triangles, whole.triangles / 2);
         EXPECT_GT(coarse.drawn, 0u);

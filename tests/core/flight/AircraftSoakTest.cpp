@@ -48,7 +48,8 @@ FlightState randomState(std::mt19937& random, const Aircraft& aircraft)
     return state;
 }
 
-// Random controls, gusts and terrain, started anew every 20 s in any attitude: no number is lost, and whatever energy comes is bounded.
+// Random controls, gusts and terrain, started anew every 20 s in any attitude: no number is lost, and
+// whatever energy comes is bounded.
 TEST(AircraftSoakTest, KeepsItsNumbersAndItsEnergy)
 {
     WeatherSettings weather;
@@ -84,7 +85,8 @@ TEST(AircraftSoakTest, KeepsItsNumbersAndItsEnergy)
     EXPECT_GT(crashes, 0);
 }
 
-// In still air without power, total energy never rises above where it began, but for what moments of the air put into turning.
+// In still air without power, total energy never rises above where it began, but for what moments of the air
+// put into turning.
 TEST(AircraftSoakTest, WithoutPowerEnergyOnlyFalls)
 {
     const WeatherAir air;

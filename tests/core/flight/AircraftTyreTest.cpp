@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tyre of a wheel by itself: force sideways by slip angle, up to friction, and none of it while it stands.
+// The tyre of a wheel by itself: force sideways by slip angle, up to friction, and none of it while it
+// stands.
 #include <cmath>
 
 #include "FlightSupport.h"

@@ -25,7 +25,8 @@ TEST(DrydenTurbulenceTest, HasTheStrengthOfItsHeight)
     EXPECT_NEAR(high.lengthM.x, 533.4, 1e-9);
 }
 
-// The deviation of half an hour of gusts, and their correlation after the scale's time, are those of the spectrum.
+// The deviation of half an hour of gusts, and their correlation after the scale's time, are those of the
+// spectrum.
 TEST(DrydenTurbulenceTest, GustsHaveTheirDeviationAndScale)
 {
     const TurbulenceConditions conditions{100.0, 3000.0, 0.0, 2.0, 11.0};

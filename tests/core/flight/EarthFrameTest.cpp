@@ -10,7 +10,8 @@ namespace
 
 using namespace simulation;
 
-// Moritz, Geodetic Reference System 1980 and WGS84's own constants: 9.7803253 at the equator, 9.8321849 at the poles.
+// Moritz, Geodetic Reference System 1980 and WGS84's own constants: 9.7803253 at the equator, 9.8321849 at
+// the poles.
 TEST(EarthFrameTest, GravityIsThatOfTheEllipsoidAndPointsDown)
 {
     for (const auto& [latitude, gravity] : {std::pair{0.0, 9.7803253}, std::pair{90.0, 9.8321849}})

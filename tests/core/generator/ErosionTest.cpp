@@ -73,7 +73,8 @@ TEST(ErodeRivers, SedimentRaisesTheSteadySlopeByOnePlusG)
     r.deposition = 0.4f;
     for (int step = 0; step < 4000; ++step)
         erodeRivers(heightM, network, r);
-    // Near the mouth, where nearly all of the drained area lies upstream of the cell (Yuan et al., equation 12).
+    // Near the mouth, where nearly all of the drained area lies upstream of the cell (Yuan et al., equation
+    // 12).
     const float drop = heightM.at(7, 2) - heightM.at(7, 1);
     const float without = 2.0f / (0.5f * std::sqrt(static_cast<float>(kErosionSide - 2)));
     EXPECT_NEAR(drop / without, 1.4f, 0.03f);

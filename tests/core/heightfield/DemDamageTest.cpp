@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Truncated files and files with changed bytes: an import must end in an error or in a complete field, never in a crash, and a
-// truncated file must not be accepted as complete.
+// Truncated files and files with changed bytes: an import must end in an error or in a complete field, never
+// in a crash, and a truncated file must not be accepted as complete.
 #include <random>
 
 #include <gtest/gtest.h>
@@ -98,8 +98,8 @@ TEST(DemDamage, AFileCutShortIsRefusedOrWhole)
             std::size_t different = 0;
             for (std::size_t k = 0; k < cut->heightsM.size(); ++k)
                 different += cut->heightsM[k] != whole->heightsM[k];
-            // Text can lose digits of its last number without a trace (16 becomes 1), and a void beside that number is filled
-            // from it.
+            // Text can lose digits of its last number without a trace (16 becomes 1), and a void beside that
+            // number is filled from it.
             EXPECT_LE(different, sample.isText ? 2u : 0u) << sample.name << " cut to " << length;
         }
         EXPECT_GE(refused, 40) << sample.name;

@@ -105,7 +105,8 @@ TEST_F(DemMosaic, KeepsTheFinestAndInterpolatesTheOthers)
     for (int row = 0; row < field->rows; ++row)
         for (int column = 64; column < field->columns; ++column)
             ASSERT_EQ(field->heightM(column, row), wantedM(column, row)) << column << ", " << row;
-    // Beyond the seam's reach the coarse samples are as measured, and points between them are within the range of their neighbours.
+    // Beyond the seam's reach the coarse samples are as measured, and points between them are within the
+    // range of their neighbours.
     for (int row = 0; row < field->rows; row += 4)
         for (int column = 0; column <= 64 - 16; column += 4)
             ASSERT_EQ(field->heightM(column, row), wantedM(column, row)) << column << ", " << row;

@@ -35,7 +35,8 @@ HeightField curvedField(int columns, int rows)
 
 using Triangle = std::array<glm::ivec2, 3>; ///< apex, left, right
 
-/// Calls `visit` with every triangle of the finest level, by splitting from the roots: apex to middle of the base.
+/// Calls `visit` with every triangle of the finest level, by splitting from the roots: apex to middle of the
+/// base.
 void splitToFinest(const Triangle& t, const std::function<void(const Triangle&)>& visit)
 {
     const glm::ivec2 base = t[2] - t[1];
@@ -98,7 +99,8 @@ TEST(GroundQuery, CurvedGroundIsTheFinestTriangleOfTheBintree)
 
 TEST(GroundQuery, FarFromTheOriginTheTiltedEarthIsStillMet)
 {
-    // Three degrees away the vertical of the frame leans by three degrees, and a height moves its sample sideways.
+    // Three degrees away the vertical of the frame leans by three degrees, and a height moves its sample
+    // sideways.
     EXPECT_LT(worstAgainstBintree(PlacedTile(curvedField(33, 33), Geodetic{49.0, 8.0, 0.0})), 1e-6);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares positions of every real DEM with GeographicLib, from coordinates that are computed here and not by the import.
+// Compares positions of every real DEM with GeographicLib, from coordinates that are computed here and not by
+// the import.
 #include <functional>
 #include <random>
 

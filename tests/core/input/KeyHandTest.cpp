@@ -73,7 +73,8 @@ TEST(KeyHand, TapsFlapsAndTrimsAway)
     EXPECT_EQ(words.find("+w "), std::string::npos) << words;
 }
 
-/// The elevator in the mean of 20 s in which hands obey what is pressed, for a wish that is less than a push: 0.1 s of it are 0.04.
+/// The elevator in the mean of 20 s in which hands obey what is pressed, for a wish that is less than a push:
+/// 0.1 s of it are 0.04.
 double meanElevator(double wish)
 {
     const testsupport::StillVehicle vehicle(kWished);

@@ -119,8 +119,8 @@ TEST(SeamFlight, OverThreeResolutions)
     for (int row = 0; row <= 1200; row += 7)
         for (int column = 0; column <= 400; column += 7)
             ASSERT_EQ(field->heightM(column, row), whole->heightM(column, row));
-    // The slope changes hardly more at the seam than inside the finer side. Without bending it would: the comparison takes the
-    // coarse raster as it is interpolated far from finer data.
+    // The slope changes hardly more at the seam than inside the finer side. Without bending it would: the
+    // comparison takes the coarse raster as it is interpolated far from finer data.
     const auto limit = [&](int seam)
     {
         double most = 0.0;

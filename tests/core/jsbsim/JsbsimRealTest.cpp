@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSBSim itself: scripts/jsbsim fetches Debian's, OSGTRAINER_JSBSIM names its program; its aircraft are those of the real data.
+// JSBSim itself: scripts/jsbsim fetches Debian's, OSGTRAINER_JSBSIM names its program; its aircraft are those
+// of the real data.
 #include <cstdlib>
 
 #include "JsbsimSupport.h"

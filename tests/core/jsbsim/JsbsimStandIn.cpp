@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speaks JSBSim's protocol as Debian's JSBSim does, over a point that flies straight: 5 m/s down for each unit of the elevator's command, along with
-// the wind. The name of the aircraft says how it behaves: normal, hang, dies, signal, garbage, nan, leap, clock, slow, mute, silent, notrim, port.
+// Speaks JSBSim's protocol as Debian's JSBSim does, over a point that flies straight: 5 m/s down for each
+// unit of the elevator's command, along with the wind. The name of the aircraft says how it behaves: normal,
+// hang, dies, signal, garbage, nan, leap, clock, slow, mute, silent, notrim, port.
 #include <cmath>
 #include <csignal>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stand-in flies straight at its begin's speed, sinks by 5 m/s for each unit of the elevator's command and goes with the wind.
+// The stand-in flies straight at its begin's speed, sinks by 5 m/s for each unit of the elevator's command
+// and goes with the wind.
 #include <fstream>
 
 #include <gmock/gmock.h>

@@ -14,7 +14,8 @@ namespace brokenmeshes
 using osgPMObjects::core::Face;
 using osgPMObjects::core::Mesh;
 
-/// A mesh without shared vertices: each corner has a position and a wedge of its own, displaced by up to `noise`.
+/// A mesh without shared vertices: each corner has a position and a wedge of its own, displaced by up to
+/// `noise`.
 inline Mesh soup(const Mesh& whole, double noise, unsigned seed)
 {
     std::mt19937 random(seed);
@@ -33,7 +34,8 @@ inline Mesh soup(const Mesh& whole, double noise, unsigned seed)
     return mesh;
 }
 
-/// A soup with `breaks` defects: duplicated, reversed, flat and stray faces, and corners moved to the middle of edges.
+/// A soup with `breaks` defects: duplicated, reversed, flat and stray faces, and corners moved to the middle
+/// of edges.
 inline Mesh brokenSoup(unsigned seed, int breaks, unsigned side, double noise)
 {
     std::mt19937 random(seed);

@@ -91,7 +91,8 @@ TEST(UndoRepairs, GivesBackTheGroupWhereACountGotWorse)
     }
 }
 
-/// Vertex 5 of the first group is on an edge of the second: what is given back to one might open a crack in the other.
+/// Vertex 5 of the first group is on an edge of the second: what is given back to one might open a crack in
+/// the other.
 TEST(UndoRepairs, TakesBothSidesOfATJunctionForOneGroup)
 {
     Mesh before = twoCracks();
@@ -174,8 +175,8 @@ Mesh latticeOfRandomFaces(std::uint32_t side, std::uint32_t faces)
     return randomFaces(positions, faces);
 }
 
-/// In a lattice hardly any edge is open before it is split from the others on it; then a hundred vertices lie at each place. Searches for
-/// T-junctions look at a place once, and come to their end.
+/// In a lattice hardly any edge is open before it is split from the others on it; then a hundred vertices lie
+/// at each place. Searches for T-junctions look at a place once, and come to their end.
 TEST(Consolidate, MendsALatticeWhoseVerticesLieOnEachOther)
 {
     Mesh mesh = latticeOfRandomFaces(5, 30'000);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests queries of the drawn surface: of every method, against the samples, and of ROAM against the descent of its tree.
+// Tests queries of the drawn surface: of every method, against the samples, and of ROAM against the descent
+// of its tree.
 #include <algorithm>
 #include <cmath>
 

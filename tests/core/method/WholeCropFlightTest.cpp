@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks every method by brute force along the three paths over the three whole squares on which terrain engines are compared. All frames
-// take half an hour, so they are checked by hand: method_test --gtest_also_run_disabled_tests --gtest_filter='*WholeCropFlight*'. The
-// variable OSGTRAINER_FRAMES_BETWEEN leaves out frames: 24 means every 24th.
+// Checks every method by brute force along the three paths over the three whole squares on which terrain
+// engines are compared. All frames take half an hour, so they are checked by hand: method_test
+// --gtest_also_run_disabled_tests --gtest_filter='*WholeCropFlight*'. The variable OSGTRAINER_FRAMES_BETWEEN
+// leaves out frames: 24 means every 24th.
 #include <algorithm>
 #include <cstdlib>
 #include <functional>

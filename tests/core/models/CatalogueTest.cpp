@@ -91,7 +91,8 @@ TEST(Catalogue, ModelsStandOnTheGround)
     forEachModel(
         [](const KindFacts& facts, const Model& model)
         {
-            // Vehicles stand on their wheels, trees reach into the ground with their roots, houses with their plinths.
+            // Vehicles stand on their wheels, trees reach into the ground with their roots, houses with their
+            // plinths.
             const double wanted = isVehicle(facts.kind) ? 0.0 : isTree(facts.kind) ? 0.4 : 1.0;
             EXPECT_NEAR(model.foundationM, wanted, isTree(facts.kind) ? 0.05 : 0.002);
         });

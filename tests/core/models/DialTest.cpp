@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the hands of every instrument stand, against places reckoned by hand: five values, both limits, beyond them, and no number.
+// Where the hands of every instrument stand, against places reckoned by hand: five values, both limits,
+// beyond them, and no number.
 #include "scenery/models/cockpit/Dial.h"
 
 #include <cmath>

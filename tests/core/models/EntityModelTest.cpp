@@ -194,7 +194,8 @@ TEST(EntityModel, ABoxThatCannotBeOfItsKindIsNotPlausible)
 
 TEST(LegBend, KneeAndAnkleAreAsWorkedByHand)
 {
-    // Bones of 0.5 m, target 0.8 m below the hip: cos = 0.64 / (2 * 0.5 * 0.8) = 0.8, so the knee is 0.3 m ahead, 0.4 m down.
+    // Bones of 0.5 m, target 0.8 m below the hip: cos = 0.64 / (2 * 0.5 * 0.8) = 0.8, so the knee is 0.3 m
+    // ahead, 0.4 m down.
     const models::LegBend bend = models::bendLeg({0.5, 0.5, true}, {0.0, 0.1, 1.0}, {0.0, 0.1, 0.2});
     EXPECT_NEAR(bend.joint.x, 0.3, 1e-12);
     EXPECT_NEAR(bend.joint.z, 0.6, 1e-12);

@@ -25,7 +25,8 @@ namespace
 constexpr int kCropSide = 257;
 constexpr double kCropStep = 1.0 / 4096.0;
 
-/// A part of one of the crops on which methods are compared (cells are squares), and the tolerance of its flights.
+/// A part of one of the crops on which methods are compared (cells are squares), and the tolerance of its
+/// flights.
 struct Crop
 {
     const char* file;
@@ -62,7 +63,8 @@ protected:
         follower = std::move(*opened);
     }
 
-    /// The height of a drawn surface at each sample, by rasterising its triangles; no part of the library is used.
+    /// The height of a drawn surface at each sample, by rasterising its triangles; no part of the library is
+    /// used.
     std::vector<double> heightsOf(const DrawnSurface& surface) const
     {
         std::vector<double> drawn(heights.size(), std::numeric_limits<double>::quiet_NaN());
@@ -91,7 +93,8 @@ protected:
         return drawn;
     }
 
-    /// The number of samples that an eye sees farther from their place than `errorPerDistance` allows, or in no triangle.
+    /// The number of samples that an eye sees farther from their place than `errorPerDistance` allows, or in
+    /// no triangle.
     int wrongSamples(const DrawnSurface& surface, const FollowTarget& target) const
     {
         const std::vector<double> drawn = heightsOf(surface);

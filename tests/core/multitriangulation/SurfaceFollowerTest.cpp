@@ -63,7 +63,8 @@ void expectSound(const DrawnSurface& surface, const SurfaceFollower& follower,
     EXPECT_EQ(checkDrawn(surface, follower.frame(), outline), std::nullopt);
 }
 
-/// By how much, in metres, a point is farther from the surface than `allowed` times what the target allows at the distance of its triangle.
+/// By how much, in metres, a point is farther from the surface than `allowed` times what the target allows at
+/// the distance of its triangle.
 double excessOf(const DrawnSurface& surface, const DrawnFrame& frame, const PointCells& points,
                 const FollowTarget& target, double allowed)
 {

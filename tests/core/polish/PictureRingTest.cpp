@@ -81,7 +81,8 @@ TEST(PictureRing, ShowsWhatWasHidden)
     EXPECT_EQ(both.squaredError(), 0.0);
 }
 
-/// A predicted change is the actual one, and images after additions and removals equal those of the remaining faces.
+/// A predicted change is the actual one, and images after additions and removals equal those of the remaining
+/// faces.
 TEST(PictureRing, StaysThePictureOfItsFaces)
 {
     constexpr std::uint32_t kFaces = 40;

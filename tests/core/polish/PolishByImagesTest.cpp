@@ -104,7 +104,8 @@ TEST(PolishByImages, KeepsEveryMaterial)
                                 [&](const Face& face) { return face.material == material; }));
 }
 
-/// A sequence cut in two, its second part made again for the level between, joins to a valid one with any placement.
+/// A sequence cut in two, its second part made again for the level between, joins to a valid one with any
+/// placement.
 TEST(JoinSequences, MakesOneOfTwo)
 {
     const Mesh mesh = meshOf(testsupport::sphereMesh(12, 16));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fuzz target without a fuzzer: the seeds of polygons and seeded mutations of them, the same in every run.
+// The fuzz target without a fuzzer: the seeds of polygons and seeded mutations of them, the same in every
+// run.
 #include <cstdint>
 #include <fstream>
 #include <iterator>

@@ -106,7 +106,8 @@ TEST(ProgressiveLevel, GoesUpThroughTheVeryBuffersThatItWentDown)
     }
 }
 
-/// Returns how many holes of a buffer do not hold the last index of the slot before them, or 0 behind an unused slot.
+/// Returns how many holes of a buffer do not hold the last index of the slot before them, or 0 behind an
+/// unused slot.
 std::size_t wrongHoles(const ProgressiveMesh& progressive, const ProgressiveLevel& level,
                        const std::vector<std::uint32_t>& indices)
 {
@@ -152,7 +153,8 @@ TEST(ProgressiveLevel, HolesRepeatTheLastIndexBeforeThem)
 
 TEST(ProgressiveLevel, ReachesTheSameBuffersInMovesOfAnyLength)
 {
-    // Large enough for more changed slots in one move than the few hundred after which holes are brought up to date.
+    // Large enough for more changed slots in one move than the few hundred after which holes are brought up
+    // to date.
     const Mesh mesh =
         testsupport::together(testsupport::waves(40, 30), testsupport::torus(24, 16), {20, 0, 0});
     const CollapseSequence sequence = simplify(mesh);

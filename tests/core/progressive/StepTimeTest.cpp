@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processor time of steps. Times differ between machines and from minute to minute; ratios of one run hardly do.
+// Processor time of steps. Times differ between machines and from minute to minute; ratios of one run hardly
+// do.
 #include <algorithm>
 #include <ctime>
 #include <limits>

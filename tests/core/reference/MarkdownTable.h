@@ -28,8 +28,8 @@ public:
     explicit Page(std::string text) : _text(std::move(text)) {}
     static Page read(const std::string& name) { return Page(sourceText("docs/reference/" + name)); }
 
-    /// The words in backquotes in one column (from 0) of the rows between the heading that reads so (backquotes left out)
-    /// and the next heading.
+    /// The words in backquotes in one column (from 0) of the rows between the heading that reads so
+    /// (backquotes left out) and the next heading.
     Names column(std::string_view heading, std::size_t column) const;
     /// The words in backquotes in the rows whose first cell has `name`, first cell left out.
     Names wordsBeside(std::string_view heading, const std::string& name) const;
@@ -46,8 +46,8 @@ private:
     std::string _text;
 };
 
-/// What differs between a list of the code and one of the page, one sentence a name; empty: nothing. An empty list of the
-/// code is a difference, too.
+/// What differs between a list of the code and one of the page, one sentence a name; empty: nothing. An empty
+/// list of the code is a difference, too.
 std::string differences(const Names& code, const Names& page);
 
 } // namespace reference

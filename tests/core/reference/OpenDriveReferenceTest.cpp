@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/reference/opendrive.md against the names that the sources of the reader ask for, and the words of its enumerations.
+// docs/reference/opendrive.md against the names that the sources of the reader ask for, and the words of its
+// enumerations.
 #include <string>
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/reference/openscenario.md against the names that the sources of the parser ask for, and the words of its keywords.
+// docs/reference/openscenario.md against the names that the sources of the parser ask for, and the words of
+// its keywords.
 #include <filesystem>
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/reference/scenery-file.md against the members and words that the reader tells in its errors: a heading is the JSON
-// pointer of an object, the rows below it are its members.
+// docs/reference/scenery-file.md against the members and words that the reader tells in its errors: a heading
+// is the JSON pointer of an object, the rows below it are its members.
 #include <map>
 #include <sstream>
 #include <utility>

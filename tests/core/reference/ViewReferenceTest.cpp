@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/reference/view-file.md against the names that the reader's source allows: allow(node, {attributes}, {elements}).
+// docs/reference/view-file.md against the names that the reader's source allows: allow(node, {attributes},
+// {elements}).
 #include <cctype>
 
 #include <gmock/gmock.h>

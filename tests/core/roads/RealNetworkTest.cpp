@@ -46,7 +46,8 @@ std::string unzipped(const std::filesystem::path& file)
     return text;
 }
 
-/// Whether a road folds over itself at t near s: lanes reach beyond the centre of a bend, where s and t are not unique.
+/// Whether a road folds over itself at t near s: lanes reach beyond the centre of a bend, where s and t are
+/// not unique.
 bool isFolded(const Road& road, double s, double t)
 {
     const double from = std::max(s - 10.0, 0.0), to = std::min(s + 10.0, road.length);
@@ -58,8 +59,8 @@ bool isFolded(const Road& road, double s, double t)
     return false;
 }
 
-/// Road → world → road at random positions on lanes. Roads lie over each other in junctions, so the answer may be another
-/// road that is as near; then it must be the same place.
+/// Road → world → road at random positions on lanes. Roads lie over each other in junctions, so the answer
+/// may be another road that is as near; then it must be the same place.
 void expectBothWays(const RoadNetwork& network, std::size_t positions)
 {
     const RoadLocator locator(network);

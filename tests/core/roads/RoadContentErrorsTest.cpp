@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Typical mistakes in profiles, lanes, marks, objects and signals of OpenDRIVE files, each with the line that a person is told.
+// Typical mistakes in profiles, lanes, marks, objects and signals of OpenDRIVE files, each with the line that
+// a person is told.
 #include <string>
 
 #include <gmock/gmock.h>

@@ -25,7 +25,8 @@ namespace
 using namespace osgRoads::core;
 using namespace roadtexts;
 
-/// Returns the greatest distance, in height, between a level and the exact surface on lanes, less its stated error.
+/// Returns the greatest distance, in height, between a level and the exact surface on lanes, less its stated
+/// error.
 double worstExcess(const PlacedNetwork& network, const RoadMesh& mesh, const RoadChunk& chunk,
                    const ChunkLevel& level)
 {
@@ -48,8 +49,8 @@ double worstExcess(const PlacedNetwork& network, const RoadMesh& mesh, const Roa
                 {
                     if (match.position.road != chunk.road) continue;
                     const auto& [r, s, t, h] = match.position;
-                    // Near a border the neighbour's height counts as well: the level may be off to a side, too, and a kerb of
-                    // 12 cm leans by 5 mm where the road is banked by 0.04.
+                    // Near a border the neighbour's height counts as well: the level may be off to a side,
+                    // too, and a kerb of 12 cm leans by 5 mm where the road is banked by 0.04.
                     double gap = 1e9;
                     const double aside = 0.005 + level.errorM;
                     for (const double shift : {-aside, 0.0, aside})
@@ -190,7 +191,8 @@ TEST(RoadMesh, RoadsBeyondItsReachAreTold)
                                    "split the network, or correct x, y and elevation");
 }
 
-/// Beside a tunnel there is hillside: the tube encloses the paved lanes. On a bridge an unpaved lane is part of the deck.
+/// Beside a tunnel there is hillside: the tube encloses the paved lanes. On a bridge an unpaved lane is part
+/// of the deck.
 TEST(RoadMesh, UnpavedLanesBesideATunnelAreNotThere)
 {
     const auto farthestPresent = [](const std::string& structure)
@@ -251,7 +253,8 @@ TEST(RoadMesh, MarksOfBordersKeepTheirPhase)
     EXPECT_FLOAT_EQ(mesh.marks[1][0].width + mesh.marks[2][0].width, 0.27F);
 }
 
-/// 100 roads of 40 m side by side; the middle mark of each is as wide as its number says, and each has an arrow.
+/// 100 roads of 40 m side by side; the middle mark of each is as wide as its number says, and each has an
+/// arrow.
 PlacedNetwork manyRoads()
 {
     std::string roads;
@@ -272,7 +275,8 @@ PlacedNetwork manyRoads()
     return placed(network(roads));
 }
 
-/// Returns what is wrong in a mesh of manyRoads(): vertices that are not their chunk's, or marks and decals of another road.
+/// Returns what is wrong in a mesh of manyRoads(): vertices that are not their chunk's, or marks and decals
+/// of another road.
 std::string wrongIn(const RoadMesh& mesh)
 {
     std::set<int> painted;

@@ -71,7 +71,8 @@ TEST(RoadSurface, CrossfallFallsOutwards)
     expectNear(surfaceNormal(left, 10.0, -2.0), {0.0, 0.0, 1.0}, 1e-9);
 }
 
-/// Two cross-sections, at s 0 and 50: a roof 0.1 per metre from the left border at t = -3.5, and flat. Half-way half.
+/// Two cross-sections, at s 0 and 50: a roof 0.1 per metre from the left border at t = -3.5, and flat.
+/// Half-way half.
 TEST(RoadSurface, ShapeIsLinearBetweenItsSections)
 {
     const Road found = only(R"(<lateralProfile><shape s="0" t="-3.5" a="0" b="0.1" c="0" d="0"/>
@@ -95,7 +96,8 @@ TEST(RoadSurface, LaneHeightsAndLevelLanes)
     const Road found =
         only(R"(<lateralProfile><superelevation s="0" a="0.1" b="0" c="0" d="0"/></lateralProfile>)", lanes);
     EXPECT_DOUBLE_EQ(surfaceHeight(found, 0.0, 2.0), 0.0);
-    // The sidewalk begins at t = 3.5 and does not go on rising: its height above the sloping plane falls by tan 0.1.
+    // The sidewalk begins at t = 3.5 and does not go on rising: its height above the sloping plane falls by
+    // tan 0.1.
     const double outer = surfacePoint(found, 0.0, 6.9).z - surfacePoint(found, 0.0, 3.6).z;
     EXPECT_NEAR(outer, 0.1 * 3.3 / 3.5 * std::cos(0.1), 1e-12);
     // Half-way between the entries the inner border is at (0.1 + 0.3)/2, the outer at 0.2.

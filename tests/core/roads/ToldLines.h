@@ -17,7 +17,8 @@ namespace roadtexts
 /// A message names the file, the line, what is wrong and the remedy, on one line.
 inline constexpr const char* kMessage = "a\\.xodr:[0-9]+: [^\n]+; [^\n]+";
 
-/// Everything that is told about a text: the error, or the problems and the flaws. A failed test where a message lacks a part.
+/// Everything that is told about a text: the error, or the problems and the flaws. A failed test where a
+/// message lacks a part.
 inline std::vector<std::string> told(const std::string& text)
 {
     using namespace osgRoads::core;

@@ -171,7 +171,8 @@ TEST(PlaceRoadThings, RailsBridgesAndTunnelsAreWholeModels)
     network->index();
     const auto things =
         roads::placeRoadThings(osgRoads::core::PlacedNetwork(network), [](double, double) { return -9.0; });
-    // Rail: 3 pieces. Bridge: two edges with three bars each, a deck, two piers. Tunnel: tube, two walkways and two portals.
+    // Rail: 3 pieces. Bridge: two edges with three bars each, a deck, two piers. Tunnel: tube, two walkways
+    // and two portals.
     EXPECT_EQ(things.own.size(), 3U + 11U + 5U);
     EXPECT_EQ(things.lamps.size(), 2U * 5U); // every 10 m of 50, in two rows
     // Posts of both railings every 2 m of 60; the rail is too low for posts.

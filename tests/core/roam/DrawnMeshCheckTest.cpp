@@ -52,7 +52,8 @@ TEST(DrawnMeshCheck, SeesAMissingTriangle)
 
 TEST(DrawnMeshCheck, CountsEdgesWithoutTwinAsAComparisonOfAllPairsDoes)
 {
-    // Vertices of their own for each triangle, as blocks have them: edges are the same where their ends lie at the same places.
+    // Vertices of their own for each triangle, as blocks have them: edges are the same where their ends lie
+    // at the same places.
     Drawn drawn(33, 33);
     DrawnMesh mesh;
     mesh.stepM = drawn.drawn.stepM;

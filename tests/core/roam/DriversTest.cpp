@@ -37,7 +37,8 @@ viewlod::ViewState anyView(const PlacedTile& tile, Random& random)
     return view;
 }
 
-/// For every vertex that the bintree could split: whether it is split. Asks the predicate of each, not of its parents.
+/// For every vertex that the bintree could split: whether it is split. Asks the predicate of each, not of its
+/// parents.
 std::vector<char> activeByBruteForce(const RoamTile& tile, const ActiveForEye& active)
 {
     const int side = tile.tile.grid().side();
@@ -68,8 +69,8 @@ class Drivers : public testing::TestWithParam<Setting>
 {
 };
 
-/// 250 eyes over each of four grounds, other ones over each. The drivers refine meshes of their own for the same eyes, so that brute
-/// force looks once at each eye.
+/// 250 eyes over each of four grounds, other ones over each. The drivers refine meshes of their own for the
+/// same eyes, so that brute force looks once at each eye.
 TEST_P(Drivers, AreWhereBruteForceIsForAThousandEyes)
 {
     const auto [padded, curved] = GetParam();

@@ -109,8 +109,8 @@ TEST(EnhMerge, IsNotLostInASpiralAroundACorner)
     }
 }
 
-/// A million random operations in all, in four shards, each validated: forced splits, merges and enhMerges, in phases of
-/// growth and of decline, so that every size is met often.
+/// A million random operations in all, in four shards, each validated: forced splits, merges and enhMerges,
+/// in phases of growth and of decline, so that every size is met often.
 class RandomOperations : public testing::TestWithParam<int>
 {
 };

@@ -67,7 +67,8 @@ struct Findings
     int eyes = 0, hidden = 0, wrong = 0; ///< eyes with a horizon, samples left out, those that can be seen
 };
 
-/// Looks for samples that are left out although a straight line leads to them. `mutate`: changes what is known to hide.
+/// Looks for samples that are left out although a straight line leads to them. `mutate`: changes what is
+/// known to hide.
 template<class Mutate>
 Findings bruteForce(const std::shared_ptr<const RoamTile>& tile, int eyes, int samples, const Mutate& mutate)
 {
@@ -131,7 +132,8 @@ TEST(Horizon, GroundThatIsHigherThanItShouldBeHidesTooMuch)
 
 TEST(Horizon, GroundBeyondTheEdgeOfTheDataHidesTooMuch)
 {
-    // The way over the ball leads over the data's edge, northwards of the parallel, and there is nothing to hide behind.
+    // The way over the ball leads over the data's edge, northwards of the parallel, and there is nothing to
+    // hide behind.
     const Findings found = bruteForce(sea(0.0), 120, 300,
                                       [](HidingGround& ground)
                                       {

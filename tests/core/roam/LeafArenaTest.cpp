@@ -14,8 +14,8 @@ namespace
 using namespace osgTerrainROAM::core;
 using testsupport::Random;
 
-/// Keeps the slots of an arena's leaves, as its user must, the order in which they have to lie, and what a graphics card
-/// would hold that was sent the changes alone.
+/// Keeps the slots of an arena's leaves, as its user must, the order in which they have to lie, and what a
+/// graphics card would hold that was sent the changes alone.
 struct Keeper
 {
     Keeper(std::uint32_t regions, LeafPlacement placement) : arena(regions, placement), order(regions) {}

@@ -51,7 +51,8 @@ TEST(Morph, KeepsTheBoundForWhatIsDrawn)
     EXPECT_GT(largestMove, 5.0) << "nothing was ever on its way";
 }
 
-/// The largest change of the drawn height at fixed places from one small step of the eye to the next, in pixels.
+/// The largest change of the drawn height at fixed places from one small step of the eye to the next, in
+/// pixels.
 double largestJumpPx(bool morphing)
 {
     RoamMesh mesh(tile());

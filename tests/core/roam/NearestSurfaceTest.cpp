@@ -13,7 +13,8 @@ namespace
 
 using namespace osgTerrainROAM;
 
-/// Distance to dense points of every triangle: never less than the true one, by at most the points' spacing more.
+/// Distance to dense points of every triangle: never less than the true one, by at most the points' spacing
+/// more.
 double sampledDistance(const core::RoamMesh& mesh, const glm::dvec3& point)
 {
     double least = 1e30;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data of any outline, holes included: what is drawn ends where they end, at every level of detail, to the tolerance.
+// Data of any outline, holes included: what is drawn ends where they end, at every level of detail, to the
+// tolerance.
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>

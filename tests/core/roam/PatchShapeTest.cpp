@@ -37,7 +37,8 @@ TEST_P(PatchShapes, AreTheLeafsDescendants)
 {
     const int exponent = GetParam();
     const PatchShape& shape = PatchShape::of(exponent);
-    // Triangles of both kinds, legs along axes and diagonals, as large as the tile and as small as a patch can be.
+    // Triangles of both kinds, legs along axes and diagonals, as large as the tile and as small as a patch
+    // can be.
     const int side = (1 << (SplitBounds::kMostExponent / 2 + 1)) + 1;
     GridTriangle leaf = rootTriangles(side)[0];
     const int levels = SplitBounds::kMostExponent + 2;

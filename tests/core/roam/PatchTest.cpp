@@ -218,7 +218,8 @@ TEST(SplitBounds, WithoutPatchesAreTheTiles)
         EXPECT_EQ(bounds.bound({i, i + 3}).errorM, tile->bound({i, i + 3}).errorM);
 }
 
-// Patches of 2^k triangles with an odd k divide legs and bases differently: two leaves side by side would not meet.
+// Patches of 2^k triangles with an odd k divide legs and bases differently: two leaves side by side would not
+// meet.
 TEST(SplitBounds, TakeEvenExponentsThatTheTileHasLevelsFor)
 {
     const auto tile = tileOfPatches(false);
@@ -229,7 +230,8 @@ TEST(SplitBounds, TakeEvenExponentsThatTheTileHasLevelsFor)
     EXPECT_EQ(SplitBounds(small, 99).patchExponent(), 4) << "two leaves that never split";
 }
 
-/// The mutation for MeetAndKeepTheTolerance: bounds that forget the patches' errors, and leaves that leave one out.
+/// The mutation for MeetAndKeepTheTolerance: bounds that forget the patches' errors, and leaves that leave
+/// one out.
 TEST(SplitBounds, WrongErrorsAndLostPatchesAreNoticed)
 {
     const auto tile = tileOfPatches(false);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles with denser parts: one mesh over all of them, within the tolerance of every sample, on both sides of their borders.
+// Tiles with denser parts: one mesh over all of them, within the tolerance of every sample, on both sides of
+// their borders.
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A spike of one sample adds triangles around it only: their number grows with the depth of the bintree, not with the size
-// of the field.
+// A spike of one sample adds triangles around it only: their number grows with the depth of the bintree, not
+// with the size of the field.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -17,7 +17,8 @@ namespace
 using namespace osgTerrainROAM::core;
 using testsupport::Random;
 
-/// A spike needs the vertices whose diamonds hold it: of the two log2(n) levels, at most so many triangles in each.
+/// A spike needs the vertices whose diamonds hold it: of the two log2(n) levels, at most so many triangles in
+/// each.
 constexpr double kMostPerDoubling = 24.0;
 
 double bound(int side)

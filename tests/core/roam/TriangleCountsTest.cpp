@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The published triangle counts of a bintree with exact nested error, on the three crops they were measured on.
+// The published triangle counts of a bintree with exact nested error, on the three crops they were measured
+// on.
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>

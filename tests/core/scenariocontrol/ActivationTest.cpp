@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who has an entity: a controller with physics from its activation to its deactivation, in the domains that it is given; else the scenario.
+// Who has an entity: a controller with physics from its activation to its deactivation, in the domains that
+// it is given; else the scenario.
 #include <cmath>
 #include <filesystem>
 #include <fstream>

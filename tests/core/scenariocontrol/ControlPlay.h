@@ -15,7 +15,8 @@
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/vehicle/RoadSceneGround.h"
 
-/// Storyboards whose controllers drive vehicles with physics, on a straight road of 3 km or over level ground.
+/// Storyboards whose controllers drive vehicles with physics, on a straight road of 3 km or over level
+/// ground.
 namespace controlplay
 {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes in controllers with physics: one line each, with file, line and remedy; and what is done when one cannot begin later.
+// Mistakes in controllers with physics: one line each, with file, line and remedy; and what is done when one
+// cannot begin later.
 #include "ControlPlay.h"
 
 namespace

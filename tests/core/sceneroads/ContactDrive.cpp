@@ -45,7 +45,8 @@ void tell(std::ostream& out, const scenery::DrawnContact& worst)
         << worst.place.x << ' ' << worst.place.y << ' ' << worst.place.z;
 }
 
-/// Whether a place is on the face of a kerb: the surface beside it, 1 cm away, is another 2 cm or more higher or lower.
+/// Whether a place is on the face of a kerb: the surface beside it, 1 cm away, is another 2 cm or more higher
+/// or lower.
 bool isOnStep(const simulation::GroundProvider& ground, const glm::dvec3& place)
 {
     constexpr double kAsideM = 0.01, kStepM = 0.02;

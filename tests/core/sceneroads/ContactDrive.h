@@ -73,7 +73,7 @@ private:
     std::optional<scenery::DrawnScene> _drawn;
 };
 
-/// Plays a drive. In each frame the wheels are compared with what a camera behind the car draws below them, and points up to 800 m
-/// ahead in the lane and on both verges with what the driver sees.
+/// Plays a drive. In each frame the wheels are compared with what a camera behind the car draws below them,
+/// and points up to 800 m ahead in the lane and on both verges with what the driver sees.
 ContactReport contactsOf(const RoadScene& scene, simulation::Scenario scenario,
                          const ContactRequest& request);

@@ -57,7 +57,8 @@ double groundM(const RoamTile& tile, const glm::dvec3& place)
     return groundAt(tile.tile, place.x, place.y)->position.z;
 }
 
-/// The depth of the ground below the road: least and most over its lanes, but for the bridge and the road's ends.
+/// The depth of the ground below the road: least and most over its lanes, but for the bridge and the road's
+/// ends.
 struct Depths
 {
     double leastM = 1e9, mostM = -1e9;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wheels and whatever stands on a road touch the surface that is drawn: within 1 cm near the eye, within a pixel farther away.
-// OSGTRAINER_EVERY_FRAME=1 checks every frame of more drives, which takes a minute.
+// Wheels and whatever stands on a road touch the surface that is drawn: within 1 cm near the eye, within a
+// pixel farther away. OSGTRAINER_EVERY_FRAME=1 checks every frame of more drives, which takes a minute.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>

@@ -27,7 +27,8 @@ const simulation::Polyline* pathOf(const simulation::Scenario& scenario)
     return nullptr;
 }
 
-/// The greatest distance of a vertex from the middle of the lane, metres; every vertex is moved aside by `asideM` before.
+/// The greatest distance of a vertex from the middle of the lane, metres; every vertex is moved aside by
+/// `asideM` before.
 double worstOff(double asideM)
 {
     const auto scenario = simulation::readScenario(kDrive);

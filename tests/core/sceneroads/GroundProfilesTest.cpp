@@ -80,7 +80,8 @@ std::optional<double> ridgeM(const glm::dvec2& plan)
     return std::max(0.0, 200.0 - 0.2 * std::abs(plan.x));
 }
 
-/// Four roads of 400 m that meet in a square of 20 m, two connecting roads straight across it; the arms are turned by 30°.
+/// Four roads of 400 m that meet in a square of 20 m, two connecting roads straight across it; the arms are
+/// turned by 30°.
 std::shared_ptr<const RoadNetwork> crossing()
 {
     std::ostringstream roads;
@@ -187,7 +188,8 @@ double slopeOf(const HeightAt& heightAt, int road)
     return std::hypot(heightAt(road, kStepM, 0.0) - here, heightAt(road, 0.0, kStepM) - here) / kStepM;
 }
 
-/// The greatest difference in height, right across an end of a road, from the road to which it is linked there.
+/// The greatest difference in height, right across an end of a road, from the road to which it is linked
+/// there.
 double joinErrorM(const RoadNetwork& network, const HeightAt& heightAt, int index, bool isEnd)
 {
     const Road& road = network.roads[static_cast<std::size_t>(index)];
@@ -240,11 +242,11 @@ Worst worstOf(const std::shared_ptr<const RoadNetwork>& network, const BaseSurfa
 
 } // namespace
 
-/// Worked by hand. Smoothed by σ, which is 100 m and the width of the spline (40 m / √3), the ridge is 200 m − 0.2 · E|x + σZ| high.
-/// Beside its crest, at x = qσ with q = 0.6745 (where half of all Z lie below), it falls by 10 %; so does it at its foot, which lies
-/// at 0.2 · σ / √(2π). The lowest roads of 10 % that no ground lies above pass through the one,
-/// 200 m − 0.2 · σ √(2/π) exp(−q²/2) − 0.1 · |x|, the highest that none lies below through the other. The road is their mean: as deep
-/// in the ridge as high above the foot.
+/// Worked by hand. Smoothed by σ, which is 100 m and the width of the spline (40 m / √3), the ridge is 200 m
+/// − 0.2 · E|x + σZ| high. Beside its crest, at x = qσ with q = 0.6745 (where half of all Z lie below), it
+/// falls by 10 %; so does it at its foot, which lies at 0.2 · σ / √(2π). The lowest roads of 10 % that no
+/// ground lies above pass through the one, 200 m − 0.2 · σ √(2/π) exp(−q²/2) − 0.1 · |x|, the highest that
+/// none lies below through the other. The road is their mean: as deep in the ridge as high above the foot.
 TEST(GroundProfiles, ARidgeIsCutAsDeepAsItsFootIsFilled)
 {
     const auto network = overTheRidge();
@@ -276,8 +278,9 @@ TEST(GroundProfiles, ASteeperLimitAndShorterBendsAreSeen) // the test above can 
     EXPECT_FALSE(worstOf(overTheRidge(), ridgeM, {.runInM = 0.0}).keepsRadius());
 }
 
-/// Worked by hand. The plane has 4 % where the ground has 8 %, and its middle, for reasons of symmetry, the ground's height. Uphill
-/// of the middle the square's edge lies 0.04 · 10 m · cos 30° above it; 200 m farther on the arm has the ground's height.
+/// Worked by hand. The plane has 4 % where the ground has 8 %, and its middle, for reasons of symmetry, the
+/// ground's height. Uphill of the middle the square's edge lies 0.04 · 10 m · cos 30° above it; 200 m farther
+/// on the arm has the ground's height.
 TEST(GroundProfiles, ACrossingOnASlopeLiesInAGentlerPlane)
 {
     const auto network = crossing();

@@ -22,7 +22,8 @@ std::string lane(const std::string& id, const std::string& type, double widthM, 
            std::to_string(widthM) + "\" b=\"0\" c=\"0\" d=\"0\"/>" + more + "</lane>";
 }
 
-/// A road of 200 m through (0, 0), one lane of 4 m on each side and a sidewalk of 2 m, 0.12 m higher, on the right.
+/// A road of 200 m through (0, 0), one lane of 4 m on each side and a sidewalk of 2 m, 0.12 m higher, on the
+/// right.
 std::string road(const std::string& id, double headingRad, double heightM, const std::string& junction)
 {
     const auto number = [](double value) { return std::to_string(value); };

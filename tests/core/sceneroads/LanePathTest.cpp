@@ -13,7 +13,8 @@ namespace
 using namespace osgRoads::core;
 using scenery::LanePathPoint;
 
-/// 200 m along x, climbing 1 m in 10: lanes of 4 m with ids 1, -1 and -2; a limit of 20 m/s from 100 m on, in a town before.
+/// 200 m along x, climbing 1 m in 10: lanes of 4 m with ids 1, -1 and -2; a limit of 20 m/s from 100 m on, in
+/// a town before.
 PlacedNetwork straightRoad()
 {
     const std::string lane = R"(<width sOffset="0" a="4" b="0" c="0" d="0"/></lane>)";

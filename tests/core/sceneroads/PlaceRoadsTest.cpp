@@ -102,8 +102,9 @@ glm::dvec2 besselDegrees(double eastM, double northM)
     return {latitude, longitude};
 }
 
-/// Where a plan position of the German grid (Gauss and Krüger's zone 3 on Bessel's ellipsoid, DHDN) lies on WGS84: worked out
-/// without PROJ, by Helmert's seven parameters in the coordinate frame of the Earth (position vector convention).
+/// Where a plan position of the German grid (Gauss and Krüger's zone 3 on Bessel's ellipsoid, DHDN) lies on
+/// WGS84: worked out without PROJ, by Helmert's seven parameters in the coordinate frame of the Earth
+/// (position vector convention).
 glm::dvec2 degreesOfGermanGrid(double eastM, double northM)
 {
     using namespace GeographicLib;

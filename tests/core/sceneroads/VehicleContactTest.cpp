@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wheels and gear of vehicles with physics, as they are drawn, touch the surface that is drawn: within 1 cm up to 20 m from the eye, within a
-// pixel beyond, in every frame of a drive and of a landing; standing, no wheel jitters by more than 1 mm.
+// Wheels and gear of vehicles with physics, as they are drawn, touch the surface that is drawn: within 1 cm
+// up to 20 m from the eye, within a pixel beyond, in every frame of a drive and of a landing; standing, no
+// wheel jitters by more than 1 mm.
 #include <cmath>
 #include <numbers>
 

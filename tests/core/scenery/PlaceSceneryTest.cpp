@@ -151,7 +151,8 @@ TEST_F(PlacedVillage, HasPatches)
     SceneryField& wood = _description.fields[0];
     wood.where.patchShare = 0.3;
     const PlacedScenery placed = place();
-    // Squares of 100 m are full or empty far more often than if trees stood anywhere (then 4 in 100 would be empty).
+    // Squares of 100 m are full or empty far more often than if trees stood anywhere (then 4 in 100 would be
+    // empty).
     std::map<std::pair<int, int>, int> squares;
     for (const Placement& p : placed.placements)
         ++squares[{static_cast<int>(std::floor(p.position.x / 100.0)),

@@ -69,7 +69,8 @@ std::optional<double> bruteForceArea(const viewlod::ViewState& view, const Orien
     return hullArea(corners);
 }
 
-/// Whether an area is the hull's in many views of many boxes, and every region is met. `area(selectionView, box)`.
+/// Whether an area is the hull's in many views of many boxes, and every region is met. `area(selectionView,
+/// box)`.
 template<class Area>
 bool agreesWithHulls(const Area& area)
 {

@@ -25,7 +25,8 @@ std::uint64_t exactly(std::uint64_t positions, std::uint64_t p, std::uint64_t q)
     return (2 * (positions - 2) * (q * q - p * p) + q * q) / (2 * q * q);
 }
 
-/// Whether a rule is the formula to the position, for every distance of dense sweeps. `rule(z1, z2, positions)`.
+/// Whether a rule is the formula to the position, for every distance of dense sweeps. `rule(z1, z2,
+/// positions)`.
 template<class Rule>
 bool isTheFormula(const Rule& rule)
 {
@@ -89,8 +90,8 @@ std::size_t drawnPositions(const Mesh& level)
     return used.size();
 }
 
-/// At how many of the levels that a sweep of distances meets the drawn positions are not V - T, and how many there are; when
-/// `tooMany` steps more are made than the rule says.
+/// At how many of the levels that a sweep of distances meets the drawn positions are not V - T, and how many
+/// there are; when `tooMany` steps more are made than the rule says.
 std::pair<int, int> levelsThatAreOff(const Mesh& mesh, std::uint32_t tooMany)
 {
     const CollapseSequence sequence = simplify(mesh);

@@ -16,8 +16,8 @@ namespace
 using namespace osgPMObjects::core;
 using testsupport::Random;
 
-/// Returns the area of the outline, whose points are where planes through the eye touch the ellipsoid. In the frame in which
-/// the ellipsoid is the unit sphere, they are a circle about the direction to the eye.
+/// Returns the area of the outline, whose points are where planes through the eye touch the ellipsoid. In the
+/// frame in which the ellipsoid is the unit sphere, they are a circle about the direction to the eye.
 double sampledArea(const viewlod::ViewState& view, const Ellipsoid& ellipsoid)
 {
     const glm::dvec3 eye = glm::inverse(ellipsoid.halfAxes) * (view.eyeWorld - ellipsoid.centre);

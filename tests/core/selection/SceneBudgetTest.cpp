@@ -145,8 +145,9 @@ TEST(SceneBudget, DetailBeyondTheToleranceIsNotBought)
     EXPECT_EQ(points[0], 1u);
 }
 
-/// Returns the largest difference to the best benefit over the documented bound, for many small scenes that start from
-/// nothing and from the last choices; above 1 the bound is broken. `choose(budget, scene, money, band)`.
+/// Returns the largest difference to the best benefit over the documented bound, for many small scenes that
+/// start from nothing and from the last choices; above 1 the bound is broken. `choose(budget, scene, money,
+/// band)`.
 template<class Choose>
 double worstShortfall(double band, const Choose& choose)
 {

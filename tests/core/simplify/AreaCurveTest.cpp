@@ -49,7 +49,8 @@ TEST(AreaCurve, AFlatSheetKeepsItsAreaDownToTwoTriangles)
 
 TEST(AreaCurve, TheDeviationOfACurveByHand)
 {
-    // 8 faces of area 1, then 4 of 0.9, then 2 of 0.5: from 8 down to 4 there are two faces at most when F < 4 only.
+    // 8 faces of area 1, then 4 of 0.9, then 2 of 0.5: from 8 down to 4 there are two faces at most when F <
+    // 4 only.
     const AreaCurve curve{{8, 4, 2}, {1.0, 0.9, 0.5}};
     EXPECT_EQ(curve.levelOf(9), 0u);
     EXPECT_EQ(curve.levelOf(8), 0u);

@@ -99,8 +99,8 @@ TEST(CollapseSequence, IsRefusedWhenItCannotBePlayed)
     EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps[7].firstWedge = 1; }));
 }
 
-/// Two faces beside an edge share the wedge at the removed end, but not at the other one: of the two wedges at the remaining
-/// position, only the used one is replaced.
+/// Two faces beside an edge share the wedge at the removed end, but not at the other one: of the two wedges
+/// at the remaining position, only the used one is replaced.
 TEST(CollapseSequence, KeepsVanishedFacesAwayWhateverTheirWedges)
 {
     testsupport::Random random(7);

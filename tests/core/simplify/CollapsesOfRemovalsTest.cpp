@@ -21,7 +21,8 @@ using namespace testsupport;
 
 const RemovalOptions kByFans{.triangulation = HoleTriangulation::fan};
 
-/// The corners of faces as attributes say them, so that meshes with other numbers compare; each begins at its least corner.
+/// The corners of faces as attributes say them, so that meshes with other numbers compare; each begins at its
+/// least corner.
 using Corners = std::multiset<std::array<std::tuple<double, double, double, float, std::uint32_t>, 3>>;
 
 Corners cornersOf(const Mesh& mesh)

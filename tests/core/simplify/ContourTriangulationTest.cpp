@@ -30,7 +30,8 @@ double twiceArea(const Contour& contour, const Triangle& t)
     return orientation(contour[t[0]], contour[t[1]], contour[t[2]]);
 }
 
-/// Returns a value above zero when p lies inside of the circle through the corners of a counter-clockwise triangle.
+/// Returns a value above zero when p lies inside of the circle through the corners of a counter-clockwise
+/// triangle.
 double inCircle(const Contour& contour, const Triangle& t, const glm::dvec2& p)
 {
     glm::dmat3 rows;
@@ -42,8 +43,8 @@ double inCircle(const Contour& contour, const Triangle& t, const glm::dvec2& p)
     return glm::determinant(rows);
 }
 
-/// Whether the triangles are the constrained Delaunay triangulation of the contour: exchanging an inner edge for the other diagonal
-/// of its two triangles never makes their smallest angle larger.
+/// Whether the triangles are the constrained Delaunay triangulation of the contour: exchanging an inner edge
+/// for the other diagonal of its two triangles never makes their smallest angle larger.
 bool isDelaunay(const Contour& contour, const std::vector<Triangle>& triangles)
 {
     if (triangles.size() != contour.size() - 2) return false;
@@ -94,8 +95,8 @@ TEST(ContourTriangulation, TheCornerUnderTheLargestAngleIsTaken)
 
 TEST(ContourTriangulation, AHiddenCornerIsNotTaken)
 {
-    // A U with narrow arms. The angle of the base line from (0, 10) to (0, 0) is 153 degrees at (1.2, 5), across the gap
-    // between the arms; in its own arm it is 84 degrees at (1, 10).
+    // A U with narrow arms. The angle of the base line from (0, 10) to (0, 0) is 153 degrees at (1.2, 5),
+    // across the gap between the arms; in its own arm it is 84 degrees at (1, 10).
     const Contour arms = {{0, 0},   {0, -21},   {2, -21}, {2, 10}, {1.3, 10},
                           {1.2, 5}, {1.3, -20}, {1, -20}, {1, 10}, {0, 10}};
     const auto triangles = triangulated(arms);

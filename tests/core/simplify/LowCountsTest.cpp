@@ -75,7 +75,8 @@ TEST(LowCounts, AThinTailKeepsItsLength)
     EXPECT_NEAR(ImageMeter(mesh).measure(level).areaRatio, 1.0, 0.1);
 }
 
-/// 32 stripes of materials on a ball, and a tail of one more: its silhouette is worth more than their last faces.
+/// 32 stripes of materials on a ball, and a tail of one more: its silhouette is worth more than their last
+/// faces.
 TEST(LowCounts, LastFacesOfMaterialsDoNotTakeTheTailsPlace)
 {
     Mesh mesh = ballWithTail();
@@ -90,7 +91,8 @@ TEST(LowCounts, LastFacesOfMaterialsDoNotTakeTheTailsPlace)
     EXPECT_GT(ImageMeter(mesh).measure(level).areaRatio, 0.8);
 }
 
-/// A material of few faces that looks like the largest one is no reason to keep them; one that looks different is.
+/// A material of few faces that looks like the largest one is no reason to keep them; one that looks
+/// different is.
 TEST(LowCounts, LastFacesGoEarlierWhereAnotherMaterialLooksAlike)
 {
     Mesh mesh = testsupport::roundMesh(32, 16, testsupport::onBumps);
@@ -124,9 +126,10 @@ TEST(LowCounts, HousesOfAVillageKeepTheirSilhouettesAtAThird)
     EXPECT_GT(ImageMeter(mesh).measure(level).areaRatio, 0.9);
 }
 
-/// Cubes far from each other, two triangles left for each. A triangle with its corners on a cube has an area of at most the root of
-/// 3/4 and half of that as mean silhouette; that of the cube is 6/4 (Cauchy). So levels inside of the houses show at most .58 of them,
-/// and only faces that grow when others go can show more.
+/// Cubes far from each other, two triangles left for each. A triangle with its corners on a cube has an area
+/// of at most the root of 3/4 and half of that as mean silhouette; that of the cube is 6/4 (Cauchy). So
+/// levels inside of the houses show at most .58 of them, and only faces that grow when others go can show
+/// more.
 TEST(LowCounts, HousesOfAVillageKeepTheirSilhouettesAtTwoTrianglesEach)
 {
     Mesh mesh = testsupport::cube();
@@ -150,7 +153,8 @@ TEST(LowCounts, ACrownCoversItsPixelsAtAHundredth)
     EXPECT_LT(seen.areaRatio, 1.1);
 }
 
-/// With subset placement a card can only take corners of others: of all cards merged into it, not of the last one alone.
+/// With subset placement a card can only take corners of others: of all cards merged into it, not of the last
+/// one alone.
 TEST(LowCounts, ACrownOfTakenCornersCoversItsPixelsAtAHundredth)
 {
     const Mesh mesh = testsupport::crown(testsupport::LeafKind::quad, 6000, 0.1);

@@ -8,8 +8,8 @@ namespace
 
 using osgPMObjects::core::Quadric;
 
-// The cube of side 2 in Jin, *Polygon Techniques*: e is the middle of the edge between front and top; c is the end of that
-// edge, at the right side.
+// The cube of side 2 in Jin, *Polygon Techniques*: e is the middle of the edge between front and top; c is
+// the end of that edge, at the right side.
 TEST(Quadric, CostsNothingFromEToCAndOneFromCToEOnTheCubeOfThePaper)
 {
     const glm::dvec3 front(0, -1, 0), top(0, 0, 1), right(1, 0, 0), e(0, -1, 1), c(1, -1, 1);

@@ -97,7 +97,8 @@ TEST(RemovalSequence, TheCheckSeesEveryMutation)
 
 TEST(RemovalSequence, TheCheckSeesAFilledHoleThatWasNotClosed)
 {
-    // An open fan of two faces whose middle is removed: its closing edge belongs to an added face, or no hole is filled.
+    // An open fan of two faces whose middle is removed: its closing edge belongs to an added face, or no hole
+    // is filled.
     const Mesh fan =
         meshOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 2, 0}}, {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}});
     RemovalSequence sequence;

@@ -18,7 +18,8 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// A cylinder around the z axis with caps that are fans, one band of quads high; turned by some part of a side, and with shuffled numbers.
+/// A cylinder around the z axis with caps that are fans, one band of quads high; turned by some part of a
+/// side, and with shuffled numbers.
 Mesh cylinder(std::uint32_t sides, double height = 3.0, double turn = 0.3)
 {
     std::vector<glm::dvec3> positions(2 * sides + 2);
@@ -81,7 +82,8 @@ std::array<Rim, 2> rimsOf(const Mesh& level, double height)
     return rims;
 }
 
-/// Returns the largest difference of two angles of a rim among the levels with so many sides at both ends, in degrees; 360 without any.
+/// Returns the largest difference of two angles of a rim among the levels with so many sides at both ends, in
+/// degrees; 360 without any.
 double unevennessAt(std::size_t sides, const Mesh& mesh, const SimplifySettings& settings)
 {
     const CollapseSequence sequence = simplify(mesh, settings);

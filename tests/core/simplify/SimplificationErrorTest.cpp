@@ -92,7 +92,8 @@ TEST(SimplificationMeter, TakesTheMeanOverBothSidesTogether)
     const Mesh plane = testsupport::grid(10, 1);
     Mesh half = plane;
     half.faces.resize(10);
-    // Half of the plane's points are 0 to 5 away, no point of the half is: a quarter of all, 2.5 away on average.
+    // Half of the plane's points are 0 to 5 away, no point of the half is: a quarter of all, 2.5 away on
+    // average.
     const double expected = 100.0 * 0.25 * 2.5 / std::sqrt(101.0);
     EXPECT_NEAR(SimplificationMeter(plane).measure(half).meanPercent, expected, 0.01 * expected);
 }

@@ -14,7 +14,8 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// The largest difference of texture coordinates from those wanted at their positions; faces across the seam have a large one.
+/// The largest difference of texture coordinates from those wanted at their positions; faces across the seam
+/// have a large one.
 double worstDrift(const Mesh& mesh, std::uint32_t columns, std::uint32_t rows)
 {
     double worst = 0.0;

@@ -13,8 +13,8 @@ namespace
 using namespace osgPMObjects::core;
 using namespace testsupport;
 
-/// Eight vertices in a box from 0 to 4: five in the cell from 0 to 2, whose centre is (1, 1, 1), one in the cell from 2 to 4,
-/// and two in others.
+/// Eight vertices in a box from 0 to 4: five in the cell from 0 to 2, whose centre is (1, 1, 1), one in the
+/// cell from 2 to 4, and two in others.
 Mesh byHand()
 {
     return meshOf({{0, 0, 0},       // squared distance from the centre 3: the farthest
@@ -41,8 +41,8 @@ TEST(SupportVertices, TheFarthestAndTheNearestOfEachCellByHand)
 
 TEST(SupportVertices, AMovedCentreWouldBeSeen)
 {
-    // By the formula of the source all centres of two divisions are (1, 1, 1): in the upper cell, (3.9, 3.9, 3.9) would be the
-    // nearest.
+    // By the formula of the source all centres of two divisions are (1, 1, 1): in the upper cell, (3.9, 3.9,
+    // 3.9) would be the nearest.
     const Mesh mesh = meshOf({{0, 0, 0}, {4, 4, 4}, {3.9, 3.9, 3.9}, {2.5, 2.5, 3}}, {{0, 1, 2}, {1, 2, 3}});
     const auto isSupport =
         supportVertices(mesh, OctreeDivisions::ofDepth(1), SupportRule::farthestAndNearest);

@@ -16,7 +16,8 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// Rings around the x axis: `profile(0…1)` gives the point on the axis and the radius. `isRing`: the last ring is the first.
+/// Rings around the x axis: `profile(0…1)` gives the point on the axis and the radius. `isRing`: the last
+/// ring is the first.
 template<class Profile>
 Mesh turned(std::uint32_t rings, std::uint32_t segments, bool isRing, const Profile& profile)
 {
@@ -63,7 +64,8 @@ Mesh wheel()
                   });
 }
 
-/// Returns the distance of a level from its mirror image, in per cent of the diagonal, across the best of the three planes.
+/// Returns the distance of a level from its mirror image, in per cent of the diagonal, across the best of the
+/// three planes.
 double lopsidednessPercent(const Mesh& level, const Mesh& original)
 {
     const Extent box = extentOf(original.positions);

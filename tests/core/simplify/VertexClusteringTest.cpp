@@ -30,7 +30,8 @@ std::vector<Triangle> everythingOf(const ClusteredMesh& clustered)
     return all;
 }
 
-/// Returns the largest distance from points of the first mesh to the second, with a grid of points in each triangle.
+/// Returns the largest distance from points of the first mesh to the second, with a grid of points in each
+/// triangle.
 double farthest(std::span<const glm::dvec3> positions, const std::vector<Triangle>& from,
                 const std::vector<Triangle>& to)
 {
@@ -58,7 +59,8 @@ ClusteredMesh clustered(const Mesh& mesh, double cellSize)
 
 TEST(VertexClustering, ARowOfTrianglesByHand)
 {
-    // Cells of size 1 along x: {0, 1}, {2, 3}, {4}. Position 1 has the longest edge of its cell, 2 the sharper corner of its cell.
+    // Cells of size 1 along x: {0, 1}, {2, 3}, {4}. Position 1 has the longest edge of its cell, 2 the
+    // sharper corner of its cell.
     const Mesh mesh = meshOf({{0.0, 0, 0}, {0.9, 0, 0}, {1.1, 0.9, 0}, {1.2, 0.2, 0}, {3.5, 0.4, 0}},
                              {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}});
     const ClusteredMesh coarse = clustered(mesh, 1.0);

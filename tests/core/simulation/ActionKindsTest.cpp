@@ -107,7 +107,8 @@ TEST(LightStates, SwitchALampOnAndOff)
     EXPECT_TRUE(egoOf(*roadplay::played(text, 2.5)).lamps.at("lantern").isLit);
 }
 
-/// A tractor with its hitch 1 m behind the reference point, and a trailer whose coupler is 5 m before its axle.
+/// A tractor with its hitch 1 m behind the reference point, and a trailer whose coupler is 5 m before its
+/// axle.
 ScenarioText withTrailer(const std::string& events, bool isCoupledAtFirst)
 {
     std::string tow = kCar, trailer = kCar;
@@ -199,8 +200,9 @@ TEST(ParameterActions, AddMultiplyAndSet)
 
 TEST(SpeedActions, EachShapeAndDimensionTakesItsTime)
 {
-    // From 10 to 20 m/s. Over 4 s half the change is done after 2 s; at a rate of 2.5 m/s² it takes 4 s; over 60 m, at 15 m/s in the
-    // mean, 4 s. A sinusoidal change whose steepest slope is 2.5 m/s² takes π/2 times as long, a cubic one 1.5 times.
+    // From 10 to 20 m/s. Over 4 s half the change is done after 2 s; at a rate of 2.5 m/s² it takes 4 s; over
+    // 60 m, at 15 m/s in the mean, 4 s. A sinusoidal change whose steepest slope is 2.5 m/s² takes π/2 times
+    // as long, a cubic one 1.5 times.
     const auto half =
         [](const std::string& shape, const std::string& dimension, double value, double durationS)
     {

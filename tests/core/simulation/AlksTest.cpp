@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fifteen storyboards of UN R157: positions, gaps and instants at their triggers, against what each file says. Nobody plays the ALKS
-// controller here, so Ego keeps its 60 km/h (v = 16.667 m/s) on lane -4 from s = 5 m. The cars are 5 m long, their fronts 3.9 m before and
-// their backs 1.1 m behind the reference point; the pedestrian's back is at its reference point. Lanes are 3.5 m wide.
+// The fifteen storyboards of UN R157: positions, gaps and instants at their triggers, against what each file
+// says. Nobody plays the ALKS controller here, so Ego keeps its 60 km/h (v = 16.667 m/s) on lane -4 from s =
+// 5 m. The cars are 5 m long, their fronts 3.9 m before and their backs 1.1 m behind the reference point; the
+// pedestrian's back is at its reference point. Lanes are 3.5 m wide.
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -196,7 +197,8 @@ TEST_F(Alks, TheSideVehicleStaysBeside)
 
 TEST_F(Alks, BlockingTargetsAreReachedWhenTheFrontIsAtThem)
 {
-    // 5 m + v·t + 3.9 m = 500 m: after 29.466 s. The file ends 10 s after Ego's reference point would be there.
+    // 5 m + v·t + 3.9 m = 500 m: after 29.466 s. The file ends 10 s after Ego's reference point would be
+    // there.
     for (const char* const name : {"4_2_1_fully_blocking_target", "4_2_4_multiple_blocking_targets"})
     {
         const AlksPlay play(name);
@@ -225,8 +227,8 @@ TEST_F(Alks, ThePedestrianIsInTheLanesMiddleWhenEgoComes)
 {
     const AlksPlay play("4_2_3_crossing_pedestrian");
     ASSERT_TRUE(play.isThere());
-    // 5 m at 5 km/h take 3.6 s; the time headway between the boxes falls below it when 60 m are left. The pedestrian, turned across the
-    // road, is 0.25 m thick on Ego's side: 5 m + v·t + 3.9 m + 60 m = 499.75 m.
+    // 5 m at 5 km/h take 3.6 s; the time headway between the boxes falls below it when 60 m are left. The
+    // pedestrian, turned across the road, is 0.25 m thick on Ego's side: 5 m + v·t + 3.9 m + 60 m = 499.75 m.
     expectNear("4_2_3", "CrossEvent begins, s", play.begin("CrossEvent"), (499.75 - 68.9) / kEgoMps,
                2 * kInstantS);
     expectNear("4_2_3", "free headway then, m", play.gapM(play.statesAtBegin("CrossEvent"), 0, 1), 60.0, 0.3);
@@ -280,8 +282,9 @@ TEST_F(Alks, TheOtherCutsInAtItsGap)
     {
         const AlksPlay play(name);
         ASSERT_TRUE(play.isThere());
-        // It is 20 km/h slower. Reference points are (trigger + 10 s · 5.556 m/s) apart at first, boxes 5 m less: the free gap is there after
-        // 9.1 s, not after the 10 s that the comment in the file counts with.
+        // It is 20 km/h slower. Reference points are (trigger + 10 s · 5.556 m/s) apart at first, boxes 5 m
+        // less: the free gap is there after 9.1 s, not after the 10 s that the comment in the file counts
+        // with.
         const double closing = 20.0 / 3.6;
         expectNear(name, "CutInEvent begins, s", play.begin("CutInEvent"), 10.0 - 5.0 / closing, kInstantS);
         expectNear(name, "free gap then, m", play.gapM(play.statesAtBegin("CutInEvent"), 0, 1), trigger,
@@ -309,7 +312,8 @@ TEST_F(Alks, TheLeadCutsOutBeforeTheTarget)
                                                    play.atFirst().begin());
         ASSERT_LT(lead, play.atFirst().size());
         expectNear(name, "gap at 0 s (2 s), m", play.gapM(play.atFirst(), 0, lead), 2.0 * kEgoMps, 0.01);
-        // The lead's reference point is 2 s and 5 m before Ego's; its front is 50 m before the pedestrian at 446.1 m.
+        // The lead's reference point is 2 s and 5 m before Ego's; its front is 50 m before the pedestrian at
+        // 446.1 m.
         const double beginS = (450.0 - 3.9 - (5.0 + 2.0 * kEgoMps + 5.0)) / kEgoMps;
         expectNear(name, "CutOutEvent begins, s", play.begin("CutOutEvent"), beginS, kInstantS);
         expectNear(name, "CutOutAction ends, s", play.end("CutOutAction"),

@@ -9,7 +9,8 @@ namespace
 
 constexpr double kGroundM = 7.0; ///< the road lies at 0
 
-/// A car goes along the road, at a distance from its middle, over ground that is 7 m higher; returns its height.
+/// A car goes along the road, at a distance from its middle, over ground that is 7 m higher; returns its
+/// height.
 double heightBeside(double leftM)
 {
     const std::string y = " y=\"" + std::to_string(leftM) + "\"/>";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions on entities, each at the instant worked by hand. Ego drives at 10 m/s from x = 0 along the lane; Other is 100 m ahead, at
-// 4 m/s where it moves. The cars are 5 m long, their middle 1.4 m before the reference point: bumpers are 5 m nearer than the points.
+// Conditions on entities, each at the instant worked by hand. Ego drives at 10 m/s from x = 0 along the lane;
+// Other is 100 m ahead, at 4 m/s where it moves. The cars are 5 m long, their middle 1.4 m before the
+// reference point: bumpers are 5 m nearer than the points.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -93,7 +94,8 @@ INSTANTIATE_TEST_SUITE_P(
             R"(<ReachPositionCondition tolerance="2"><Position><LanePosition roadId="1" laneId="-1" s="50"/></Position></ReachPositionCondition>)",
             4.8,
             R"(<ReachPositionCondition tolerance="3"><Position><LanePosition roadId="1" laneId="-1" s="50"/></Position></ReachPositionCondition>)"},
-        // From 10 to 4 m/s at 3 m/s² from 1 s on: below 7 m/s after 2 s. What begins at 1 s moves with the step after it.
+        // From 10 to 4 m/s at 3 m/s² from 1 s on: below 7 m/s after 2 s. What begins at 1 s moves with the
+        // step after it.
         ConditionCase{"Speed", R"(<SpeedCondition value="7" rule="lessThan"/>)", 2.01,
                       R"(<SpeedCondition value="6.9" rule="lessThan"/>)", 0.0, kSlower.c_str()},
         // 10 − 4 = 6 m/s at first; 4 m/s when Ego drives at 8 m/s.
@@ -107,7 +109,8 @@ INSTANTIATE_TEST_SUITE_P(
                       kSlower.c_str()},
         ConditionCase{"StandStill", R"(<StandStillCondition duration="1.495"/>)", 2.51,
                       R"(<StandStillCondition duration="1.6"/>)", 0.0, kStops.c_str()},
-        // The road ends at 280 m, after 28 s; with the step after that it goes no further. So it has been for 0.995 s at 29.01 s.
+        // The road ends at 280 m, after 28 s; with the step after that it goes no further. So it has been for
+        // 0.995 s at 29.01 s.
         ConditionCase{"EndOfRoad", R"(<EndOfRoadCondition duration="0.995"/>)", 29.01,
                       R"(<EndOfRoadCondition duration="1.2"/>)"},
         // Bumpers touch at 95 m, at 9.5 s; the boxes overlap a step later.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing of a scenario is passed over in silence: elements and attributes that are not in effect are told, once each.
+// Nothing of a scenario is passed over in silence: elements and attributes that are not in effect are told,
+// once each.
 #include "simulation/parser/Coverage.h"
 
 #include <algorithm>

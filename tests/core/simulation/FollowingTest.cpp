@@ -36,7 +36,8 @@ double gapAt(const ScenarioText& text, double timeS)
     return player->entities()[1].position.x - player->entities()[0].position.x;
 }
 
-/// A spring of 0.4 /m times 5 m/s², critically damped: from 0.5 m too far the rest after t is 0.5 (1 + w t) exp(-w t) with w = sqrt(2).
+/// A spring of 0.4 /m times 5 m/s², critically damped: from 0.5 m too far the rest after t is 0.5 (1 + w t)
+/// exp(-w t) with w = sqrt(2).
 TEST(Following, IsACriticallyDampedSpring)
 {
     const auto text = following(

@@ -14,7 +14,8 @@ namespace simulation
 namespace
 {
 
-/// FNV-1a over whole millimetres and thousandths of a degree: equal on every CPU, blind to the last bits of libm.
+/// FNV-1a over whole millimetres and thousandths of a degree: equal on every CPU, blind to the last bits of
+/// libm.
 class Hash
 {
 public:

@@ -10,7 +10,8 @@ namespace
 
 TEST(Hydrometeors, RainOfTenMillimetresByHand)
 {
-    // Slope 4.1 · 10^-0.21 = 2.5280 a mm. Above 2 mm: 8000 / 2.5280 · exp(-5.0561) = 20.17 a m³, of 2 + 1 / 2.5280 mm in the mean.
+    // Slope 4.1 · 10^-0.21 = 2.5280 a mm. Above 2 mm: 8000 / 2.5280 · exp(-5.0561) = 20.17 a m³, of 2 + 1 /
+    // 2.5280 mm in the mean.
     const Hydrometeors rain = rainOf(10.0);
     EXPECT_FALSE(rain.isSnow);
     EXPECT_NEAR(rain.perM3, 20.17, 0.02);

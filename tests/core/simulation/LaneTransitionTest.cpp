@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lane changes over the joints of roads, by distance, slowly, in reverse and with other actions; every result worked by hand.
+// Lane changes over the joints of roads, by distance, slowly, in reverse and with other actions; every result
+// worked by hand.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -58,7 +59,8 @@ roadplay::Roads joinedEndToEnd()
                            roadtexts::road("2", 100.0, linked("1") + back + lanes))));
 }
 
-/// From y = -1.75 to the left, where lane 1 of the first road and lane -1 of the second one have their middle at 1.75.
+/// From y = -1.75 to the left, where lane 1 of the first road and lane -1 of the second one have their middle
+/// at 1.75.
 TEST(LaneTransition, GoesOnOverARoadThatRunsTheOtherWay)
 {
     const auto text = driving(20.0, event("a", laneChange(1, "time", 5.0, 0.5), timeCondition(2.0)));
@@ -71,7 +73,8 @@ TEST(LaneTransition, GoesOnOverARoadThatRunsTheOtherWay)
     EXPECT_GT(roadplay::played(text, 7.5, joinedEndToEnd())->entities()[0].position.x, 115.0);
 }
 
-/// By 25 m along the lane: what goes sideways is no part of them. 3.5 m aside: the way is sqrt(25^2 + 3.5^2) m long.
+/// By 25 m along the lane: what goes sideways is no part of them. 3.5 m aside: the way is sqrt(25^2 + 3.5^2)
+/// m long.
 TEST(LaneTransition, CountsItsDistanceAlongTheLane)
 {
     const auto text = driving(5.0, event("a", laneChange(1, "distance", 25.0), timeCondition(1.0)));
@@ -113,8 +116,9 @@ TEST(LaneTransition, TurnsTheNoseAwayInReverse)
     EXPECT_LT(half.position.x, 75.0);
 }
 
-/// 1 m/s sideways for 3.5 s; from 1.5 s after its begin on the speed falls from 10 by 2 m/s². In each step the lane change moves
-/// the entity by the speed before it falls, a speed action that was there first by the speed after it.
+/// 1 m/s sideways for 3.5 s; from 1.5 s after its begin on the speed falls from 10 by 2 m/s². In each step
+/// the lane change moves the entity by the speed before it falls, a speed action that was there first by the
+/// speed after it.
 TEST(LaneTransition, MovesByTheSpeedBeforeALaterSpeedAction)
 {
     const auto xAfter = [](bool isSpeedFirst)

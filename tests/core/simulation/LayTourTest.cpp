@@ -32,8 +32,8 @@ TourTerrain square(double halfSideM, std::function<double(double, double)> heigh
         "x.tif"};
 }
 
-/// The sizes that tours are laid over: a lidar tile, an island, a degree of mountains, a sea with a strip of land, a
-/// flat sea, a ravine.
+/// The sizes that tours are laid over: a lidar tile, an island, a degree of mountains, a sea with a strip of
+/// land, a flat sea, a ravine.
 std::vector<std::pair<const char*, TourTerrain>> terrains()
 {
     std::vector<std::pair<const char*, TourTerrain>> list;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Typical mistakes of people who write scenarios: each is one line that names the file, the line of the mistake and the remedy.
+// Typical mistakes of people who write scenarios: each is one line that names the file, the line of the
+// mistake and the remedy.
 #include <algorithm>
 
 #include <gtest/gtest.h>

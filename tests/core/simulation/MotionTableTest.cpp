@@ -83,7 +83,8 @@ TEST(CompareMotions, ARowThatIsMissingIsADifference)
               std::string::npos);
 }
 
-/// Rows of a tenth of a second: a lane from each digit of `lanes`, a speed from each number, a collision where `touches` has an x.
+/// Rows of a tenth of a second: a lane from each digit of `lanes`, a speed from each number, a collision
+/// where `touches` has an x.
 std::string eventTable(const std::string& lanes, const std::vector<double>& speeds,
                        const std::string& touches)
 {

@@ -82,7 +82,8 @@ TEST(NothingThere, AChangeOfLaneWithoutRoadsIsLeftOutAndTold)
               std::string::npos);
 }
 
-/// A transverse Mercator projection whose middle is 48° north, 11° east: north of it counts the arc of the meridian.
+/// A transverse Mercator projection whose middle is 48° north, 11° east: north of it counts the arc of the
+/// meridian.
 std::shared_ptr<const RoadScene> georeferenced()
 {
     const double length = 3000.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Habits of other authors and programs, found by writing storyboards as they do: none of them may stop a play.
+// Habits of other authors and programs, found by writing storyboards as they do: none of them may stop a
+// play.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -115,7 +115,8 @@ TEST(Player, GeoPositionIsPlacedInTheLocalFrame)
     PlayerOptions options;
     options.origin = kOrigin;
     const auto player = playing(text.text(), options);
-    // 0.009° of the meridian at 46.5°: the radius of curvature there is 6 369 116 m; 1000 m up; curvature takes 8 cm.
+    // 0.009° of the meridian at 46.5°: the radius of curvature there is 6 369 116 m; 1000 m up; curvature
+    // takes 8 cm.
     EXPECT_NEAR(player->entities().at(0).position.x, 0.0, 1e-6);
     EXPECT_NEAR(player->entities().at(0).position.y, (6'369'116.0 + 1000.0) * foundation::radiansOf(0.009),
                 0.02);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which road is taken in a junction: by chance, or by the strategy of a route. Road 1 leads along x to a junction at x = 100, from there
-// road 2 straight on (100 m), and road 3 to the left (an arc of 50 m). With a square of roads behind it, two ways lead to one goal.
+// Which road is taken in a junction: by chance, or by the strategy of a route. Road 1 leads along x to a
+// junction at x = 100, from there road 2 straight on (100 m), and road 3 to the left (an arc of 50 m). With a
+// square of roads behind it, two ways lead to one goal.
 #include <algorithm>
 #include <set>
 
@@ -70,7 +71,8 @@ TEST(RandomRoute, TakesEachRoadAboutAsOften)
     }
 }
 
-/// From the fork two ways lead to road 6: over 2 (100 m, 30 km/h) or over 3 and 4 and 5 (40 m each, 100 km/h, without a junction road).
+/// From the fork two ways lead to road 6: over 2 (100 m, 30 km/h) or over 3 and 4 and 5 (40 m each, 100 km/h,
+/// without a junction road).
 roadplay::Roads twoWays()
 {
     const auto between = [](const std::string& before, const std::string& after)

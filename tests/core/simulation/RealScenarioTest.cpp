@@ -145,9 +145,9 @@ TEST(RealScenario, ComparisonNoticesATenthOfAMetreOrASmoothedPath)
     EXPECT_GT(deviation(moved, track, 1, 0.0, 100.0).headingDeg, kHeadingToleranceDeg);
 }
 
-/// The polyline that the recorded entity 2 of trajectory-test ran from 1.99 s to 7.99 s: its corners lie where the
-/// recorded straight motions meet, a hundredth of a second before a row. (The scenario itself places its vertices on
-/// a road.)
+/// The polyline that the recorded entity 2 of trajectory-test ran from 1.99 s to 7.99 s: its corners lie
+/// where the recorded straight motions meet, a hundredth of a second before a row. (The scenario itself
+/// places its vertices on a road.)
 std::vector<glm::dvec2> recordedCorners(const SimulatedTrack& track)
 {
     const auto rowAt = [&](double time)

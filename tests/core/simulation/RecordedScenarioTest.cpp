@@ -18,7 +18,8 @@ namespace
 
 constexpr double kLongestS = 60.1; ///< of the tracks
 
-/// A storyboard, and the entities that still differ from its track (docs/measurements/scenarios.md says why); "*": all.
+/// A storyboard, and the entities that still differ from its track (docs/measurements/scenarios.md says why);
+/// "*": all.
 struct RecordedScenario
 {
     const char* name;

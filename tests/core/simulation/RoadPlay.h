@@ -19,7 +19,8 @@ inline constexpr double kStepS = 0.01;
 
 using Roads = std::shared_ptr<const simulation::RoadScene>;
 
-/// Road 1 along x from the origin, a lane of 3.5 m on each side: lane -1 at y = -1.75 towards x, lane 1 at 1.75 back.
+/// Road 1 along x from the origin, a lane of 3.5 m on each side: lane -1 at y = -1.75 towards x, lane 1 at
+/// 1.75 back.
 inline Roads straight(double lengthM = 3000.0)
 {
     return std::make_shared<const simulation::RoadScene>(roadtexts::sound(roadtexts::network(

@@ -135,7 +135,8 @@ std::string straightNurbs(const std::string& middleTime)
 
 TEST(Shape, ANurbsIsAtTheTimeOfAPointWhereThatPointPullsMost)
 {
-    // Evenly spaced points on a line: the place is 100 m times the parameter, and the middle point pulls most at 0.5.
+    // Evenly spaced points on a line: the place is 100 m times the parameter, and the middle point pulls most
+    // at 0.5.
     expectAt(egoAfter(3.0, followShape(straightNurbs("3"), kTiming)), 50.0, 0.0, 0.0, 0.5);
     expectAt(egoAfter(1.0, followShape(straightNurbs("1"), kTiming)), 50.0, 0.0, 0.0, 0.5);
     expectAt(egoAfter(3.5, followShape(straightNurbs("3"), kTiming)), 75.0, 0.0, 0.0, 0.5);

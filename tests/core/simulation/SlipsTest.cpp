@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slips in storyboards of others that leave one plain reading: it is taken, told with its line, and the play goes on.
+// Slips in storyboards of others that leave one plain reading: it is taken, told with its line, and the play
+// goes on.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -115,7 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
              "the catalogue entry c/e does not exist", "the environment stays as it is"}),
     [](const testing::TestParamInfo<Slip>& test) { return std::string(test.param.name); });
 
-/// A usual car is 4.5 m long, 1.8 m wide, has its rear axle 0.95 m before its end and 2.7 m between the axles; the box is 5 m by 2 m.
+/// A usual car is 4.5 m long, 1.8 m wide, has its rear axle 0.95 m before its end and 2.7 m between the
+/// axles; the box is 5 m by 2 m.
 TEST(Slips, AxlesAreFittedIntoTheBox)
 {
     std::string text = soundText().text();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinds of conditions and actions that no file at hand holds: the instant at which an event starts, worked by hand. Each has a
-// mutation of its file that must move the instant.
+// Kinds of conditions and actions that no file at hand holds: the instant at which an event starts, worked by
+// hand. Each has a mutation of its file that must move the instant.
 #include <algorithm>
 #include <cmath>
 
@@ -103,7 +103,8 @@ std::string signalIs(const std::string& signal, const std::string& state)
     return whenValue("<TrafficSignalCondition name=\"" + signal + "\" state=\"" + state + "\"/>");
 }
 
-/// B's cycle runs one second behind that of A, before its start as well: green until 1 s, then red, green again from 4 s on.
+/// B's cycle runs one second behind that of A, before its start as well: green until 1 s, then red, green
+/// again from 4 s on.
 std::string risingSignal()
 {
     std::string trigger = signalIs("2", "green");
@@ -177,7 +178,8 @@ std::string withClearance()
             "rising"));
 }
 
-/// With boxes (5 m, centre 1.4 m before the reference points) the gap is 20 when the points are 25 m apart: at 2.5 s.
+/// With boxes (5 m, centre 1.4 m before the reference points) the gap is 20 when the points are 25 m apart:
+/// at 2.5 s.
 std::string withFreeSpace()
 {
     return startsB(

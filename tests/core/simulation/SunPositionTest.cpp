@@ -34,8 +34,8 @@ TEST(SunPosition, SiderealTimeOfMeeusExample12)
 
 TEST(SunPosition, TopocentricPlaceOfTheSolarPositionAlgorithmsExample)
 {
-    // Reda and Andreas, NREL/TP-560-34302, table A5.1: azimuth 194.34024°, zenith 50.11162° with refraction of
-    // 0.01632° (Golden, Colorado, 2003 October 17, 12:30:30, seven hours behind UTC).
+    // Reda and Andreas, NREL/TP-560-34302, table A5.1: azimuth 194.34024°, zenith 50.11162° with refraction
+    // of 0.01632° (Golden, Colorado, 2003 October 17, 12:30:30, seven hours behind UTC).
     const SunDirection sun = sunDirection(at("2003-10-17T12:30:30-07:00"), 39.742476, -105.1786);
     EXPECT_NEAR(sun.azimuthDeg, 194.34024, kToleranceDeg);
     EXPECT_NEAR(sun.elevationDeg, 90.0 - 50.11162 - 0.01632, kToleranceDeg);

@@ -41,8 +41,9 @@ ScenarioText meeting(const std::string& privatesOfEgo, double leadMps = 10.0)
     return text;
 }
 
-/// Ego stands at 200 m and has 50 m to go in 10 s, the last 20 m at 5 m/s. Until then T = 6 s are left for 30 m; with the time t that is left
-/// the way is 5 t - 5/6 t² ln(t/6): it solves v' = (4d/t - 3v - 5)/t with d = 30, v = 0 at 6 s, and leaves with 5 m/s.
+/// Ego stands at 200 m and has 50 m to go in 10 s, the last 20 m at 5 m/s. Until then T = 6 s are left for 30
+/// m; with the time t that is left the way is 5 t - 5/6 t² ln(t/6): it solves v' = (4d/t - 3v - 5)/t with d =
+/// 30, v = 0 at 6 s, and leaves with 5 m/s.
 TEST(Synchronize, HasTheFinalSpeedInTheSteadyPart)
 {
     for (const char* steady :
@@ -72,7 +73,8 @@ TEST(Synchronize, HasItAtTheEndAloneWithoutOne)
     EXPECT_NEAR(roadplay::played(text, 10.5)->entities()[0].speedMps, 5.0, 1e-9) << "it ends with that speed";
 }
 
-/// Ego crosses the road: its place along the road is that of the meeting from the start, its way along the trajectory is not.
+/// Ego crosses the road: its place along the road is that of the meeting from the start, its way along the
+/// trajectory is not.
 TEST(Synchronize, CountsTheWayAlongTheTrajectory)
 {
     const auto crossing = followTrajectory(vertex(R"(<WorldPosition x="100" y="-4" h="1.5707963"/>)") +

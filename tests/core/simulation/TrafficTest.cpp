@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traffic on a straight road of 1000 m along x: when and where its vehicles are, worked by hand. Lane -1 lies at y = -1.75 and runs
-// towards x, lane 1 at 1.75 and runs back. Vehicles without a car-following controller keep their speed.
+// Traffic on a straight road of 1000 m along x: when and where its vehicles are, worked by hand. Lane -1 lies
+// at y = -1.75 and runs towards x, lane 1 at 1.75 and runs back. Vehicles without a car-following controller
+// keep their speed.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -218,7 +219,8 @@ TEST(TrafficSink, LetsVehiclesVanishNearItsPlace)
                                          "sink"));
     };
     expectPlaces(placesAfter(withSink("radius=\"3\""), 10.0), {140, 120, 100});
-    // One each 4 s: that of 0 s at 4.7 s; that of 2 s is gone past at 6.7 to 7.3 s, since the next is taken from 8.7 s on.
+    // One each 4 s: that of 0 s at 4.7 s; that of 2 s is gone past at 6.7 to 7.3 s, since the next is taken
+    // from 8.7 s on.
     expectPlaces(placesAfter(withSink(R"(radius="3" rate="0.25")"), 10.0), {180, 140, 120, 100});
     expectPlaces(
         placesAfter(withSink("radius=\"3\"",

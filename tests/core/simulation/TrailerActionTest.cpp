@@ -24,7 +24,8 @@ std::string trailerAction(const std::string& inner)
     return "<PrivateAction><TrailerAction>" + inner + "</TrailerAction></PrivateAction>";
 }
 
-/// Ego at the origin, at 10 m/s along x; a trailer stands 30 m beside it. It is coupled at 1 s and left at 3 s.
+/// Ego at the origin, at 10 m/s along x; a trailer stands 30 m beside it. It is coupled at 1 s and left at 3
+/// s.
 ScenarioText coupling()
 {
     ScenarioText text;

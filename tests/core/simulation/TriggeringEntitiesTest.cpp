@@ -11,7 +11,8 @@ namespace simulation
 namespace
 {
 
-/// Entities A, B, C and Ego begin at 10, 20, 30 and 40 m/s; A to C may trigger. B slows to 12 m/s from 2 s on, at once.
+/// Entities A, B, C and Ego begin at 10, 20, 30 and 40 m/s; A to C may trigger. B slows to 12 m/s from 2 s
+/// on, at once.
 std::string fourCars(const std::string& actors, const std::string& condition, const std::string& rule = "any",
                      const std::string& edge = "none", double delayS = 0.0)
 {

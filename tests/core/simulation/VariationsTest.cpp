@@ -131,7 +131,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "<UniformDistribution><Range lowerLimit=\"10\" upperLimit=\"16\"/></UniformDistribution>",
                 13.0, 3.0},
         Moments{"Poisson", "<PoissonDistribution expectedValue=\"20\"/>", 20.0, 20.0},
-        // Bins 0…2 (weight 1) and 2…6 (weight 3): mean 1/4·1 + 3/4·4 = 3.25; E[x²] = 1/4·4/3 + 3/4·52/3 = 13.3333.
+        // Bins 0…2 (weight 1) and 2…6 (weight 3): mean 1/4·1 + 3/4·4 = 3.25; E[x²] = 1/4·4/3 + 3/4·52/3 =
+        // 13.3333.
         Moments{
             "Histogram",
             "<Histogram><Bin weight=\"1\"><Range lowerLimit=\"0\" upperLimit=\"2\"/></Bin><Bin weight=\"3\">"

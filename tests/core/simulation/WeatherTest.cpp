@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an EnvironmentAction says of the air and the road, and the air that vehicles with physics of their own meet: worked by hand.
+// What an EnvironmentAction says of the air and the road, and the air that vehicles with physics of their own
+// meet: worked by hand.
 #include <cmath>
 #include <numbers>
 

@@ -63,7 +63,8 @@ std::string defectOf(const std::vector<glm::dvec2>& points, const std::vector<Lo
     return std::abs(sum - area) > 1e-9 * std::max(area, 1e-3) ? "the area differs" : "";
 }
 
-/// Returns the least number of convex pieces of a simple polygon, by trying all sets of diagonals that do not cross.
+/// Returns the least number of convex pieces of a simple polygon, by trying all sets of diagonals that do not
+/// cross.
 class BruteForce
 {
 public:

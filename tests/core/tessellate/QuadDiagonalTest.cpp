@@ -25,8 +25,8 @@ TEST(QuadDiagonal, OfAHeightFieldFollowsEachOfTheFourRules)
     EXPECT_EQ(chooseDiagonal(quad, DiagonalRule::largestHeightDifference), 0u);
     EXPECT_EQ(chooseDiagonal(withHeights(1, 0, 1, 3), DiagonalRule::nearestHeights), 0u);
     EXPECT_EQ(chooseDiagonal(withHeights(1, 0, 1, 3), DiagonalRule::largestHeightDifference), 1u);
-    // By hand: 0–2 gives normals (2, -1, 1) and (-1, 2, 1), 120 degrees apart and of one length; 1–3 gives (-1, -1, 1) and
-    // (2, 2, 1), 125 degrees apart and of lengths 1.7 and 3.
+    // By hand: 0–2 gives normals (2, -1, 1) and (-1, 2, 1), 120 degrees apart and of one length; 1–3 gives
+    // (-1, -1, 1) and (2, 2, 1), 125 degrees apart and of lengths 1.7 and 3.
     const Quad tent = withHeights(2, 0, 1, 0);
     EXPECT_EQ(chooseDiagonal(tent, DiagonalRule::largestNormalAngle), 1u);
     EXPECT_EQ(chooseDiagonal(tent, DiagonalRule::nearestAreas), 0u);

@@ -23,7 +23,8 @@ inline double areaOf(const std::vector<glm::dvec2>& points, const Triangle& t)
     return 0.5 * (u.x * v.y - u.y * v.x);
 }
 
-/// Tells whether two triangles overlap: they do unless the line through an edge of one has the other on its outer side.
+/// Tells whether two triangles overlap: they do unless the line through an edge of one has the other on its
+/// outer side.
 inline bool overlap(const std::vector<glm::dvec2>& points, const Triangle& s, const Triangle& t)
 {
     const auto parts = [&](const Triangle& a, const Triangle& b)
@@ -41,8 +42,9 @@ inline bool overlap(const std::vector<glm::dvec2>& points, const Triangle& s, co
     return !parts(s, t) && !parts(t, s);
 }
 
-/// Returns the defect of triangles that should fill a polygon of that area; empty: none. `points`: those of the polygon in
-/// its plane (at most 1 in size), and what was inserted. Overlaps and orientation exactly, by brute force.
+/// Returns the defect of triangles that should fill a polygon of that area; empty: none. `points`: those of
+/// the polygon in its plane (at most 1 in size), and what was inserted. Overlaps and orientation exactly, by
+/// brute force.
 inline std::string defectOf(const std::vector<glm::dvec2>& points, const std::vector<Triangle>& triangles,
                             double area, double tolerance = 1e-9)
 {

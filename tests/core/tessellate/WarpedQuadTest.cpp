@@ -154,7 +154,8 @@ TEST(WarpedQuad, ProjectiveTextureGoesOnStraightAcrossTheDiagonal)
         const TexturedQuad quad = randomQuad(random);
         const auto coords = projectiveTexCoords(quad);
         ASSERT_TRUE(coords);
-        // One projective map for both triangles: the fourth corner follows from the other three by the same weights.
+        // One projective map for both triangles: the fourth corner follows from the other three by the same
+        // weights.
         const glm::dvec3 &p0 = quad.positions[0], &p1 = quad.positions[1], &p2 = quad.positions[2],
                          &p3 = quad.positions[3];
         const auto area = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)

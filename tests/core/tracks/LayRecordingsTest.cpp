@@ -20,7 +20,8 @@ namespace
 const std::string kTable =
     "time,latitude,longitude,altitude\n100,46,8,500\n110,46.001,8,500\n130,46.001,8.002,520\n";
 
-/// A folder with a table of a flight: at 46° N, 8° E; 0.001° north in 10 s, then 0.002° east and 20 m up in 20 s.
+/// A folder with a table of a flight: at 46° N, 8° E; 0.001° north in 10 s, then 0.002° east and 20 m up in
+/// 20 s.
 class Recordings : public testing::Test
 {
 protected:

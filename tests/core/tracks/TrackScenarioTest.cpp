@@ -59,7 +59,8 @@ std::unique_ptr<ScenarioPlayer> playerOf(Scenario scenario, GroundProvider groun
     return player ? std::move(*player) : nullptr;
 }
 
-/// The largest differences between the fixes of a track and where the text of its scenario puts them when it is played.
+/// The largest differences between the fixes of a track and where the text of its scenario puts them when it
+/// is played.
 struct RoundTrip
 {
     double worstDeg = 0.0, worstM = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Networks of small made maps, checked as roadtool checks a file; and what the checks see when something is moved.
+// Networks of small made maps, checked as roadtool checks a file; and what the checks see when something is
+// moved.
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +27,8 @@ double hillside(double eastM, double northM)
     return 1000.0 + 0.06 * eastM + 0.04 * northM + 3.0 * std::sin(eastM / 90.0);
 }
 
-/// A village: a main road with three lanes for a part of it, a side street at each of two crossings, a roundabout.
+/// A village: a main road with three lanes for a part of it, a side street at each of two crossings, a
+/// roundabout.
 MadeMap village()
 {
     MadeMap map;
@@ -203,7 +205,8 @@ TEST(WriteNetwork, TellsWhatItWouldLose)
     EXPECT_FALSE(std::filesystem::exists(folder / "lost.xodr"));
 }
 
-/// The heights of two streets `apartM` beside each other, the second 8 m higher on a terrace, in their middles.
+/// The heights of two streets `apartM` beside each other, the second 8 m higher on a terrace, in their
+/// middles.
 double heightBetween(double apartM)
 {
     MadeMap map;

@@ -15,7 +15,8 @@ using worldmaking::CentreLine;
 
 TEST(CentreLine, ARightAngleLeavesItsPointByTheOffsetThatIsAllowed)
 {
-    // reach r = 2 m / tan(22.5°) = 4.828 m; radius the same; the arc is 7.585 m long, the two legs lose 4.828 m each.
+    // reach r = 2 m / tan(22.5°) = 4.828 m; radius the same; the arc is 7.585 m long, the two legs lose 4.828
+    // m each.
     const CentreLine line({{0, 0}, {100, 0}, {100, 100}});
     const double reach = 2.0 / std::tan(std::numbers::pi / 8.0);
     EXPECT_NEAR(line.leastRadiusM(), reach, 1e-9);

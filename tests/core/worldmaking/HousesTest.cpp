@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Houses of small made maps: what stands on roads, over each other or in water, and what the measures say of one that does.
+// Houses of small made maps: what stands on roads, over each other or in water, and what the measures say of
+// one that does.
 #include "worldmaking/land/Houses.h"
 
 #include <gtest/gtest.h>

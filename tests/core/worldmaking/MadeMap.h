@@ -9,7 +9,8 @@
 
 #include <glm/vec2.hpp>
 
-/// A small map in the text of OpenStreetMap. Nodes are placed in metres east and north of 42.5° N 1.5° E; the first has the id 1.
+/// A small map in the text of OpenStreetMap. Nodes are placed in metres east and north of 42.5° N 1.5° E; the
+/// first has the id 1.
 class MadeMap
 {
 public:

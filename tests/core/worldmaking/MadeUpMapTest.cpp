@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Made-up maps over a made ground: what stands where, and what the measures say of a map in which something stands wrong.
+// Made-up maps over a made ground: what stands where, and what the measures say of a map in which something
+// stands wrong.
 #include "worldmaking/madeup/MadeUpMap.h"
 
 #include <cmath>

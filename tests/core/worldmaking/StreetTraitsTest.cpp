@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tags say about a street. Expected values are those of the OpenStreetMap wiki and of the table of classes.
+// What tags say about a street. Expected values are those of the OpenStreetMap wiki and of the table of
+// classes.
 #include "worldmaking/streets/StreetTraits.h"
 
 #include <gtest/gtest.h>

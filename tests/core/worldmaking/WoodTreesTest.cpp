@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wherever the ground is wood, an eye 50 m up sees trees for a kilometre: no wood is painted where no tree stands.
+// Wherever the ground is wood, an eye 50 m up sees trees for a kilometre: no wood is painted where no tree
+// stands.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Uses a progressive object in another program, and osgTraversal, which that program's own drawables may need.
+// Uses a progressive object in another program, and osgTraversal, which that program's own drawables may
+// need.
 #include <cstdio>
 
 #include <osg/Geode>

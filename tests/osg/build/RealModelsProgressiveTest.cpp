@@ -24,7 +24,8 @@ class RealModelProgressive : public testing::TestWithParam<const char*>
 {
 };
 
-/// Sorted faces by the positions and texture coordinates of their corners, each face from its least corner on.
+/// Sorted faces by the positions and texture coordinates of their corners, each face from its least corner
+/// on.
 using SeenFaces = std::vector<std::array<std::array<double, 5>, 3>>;
 
 void add(SeenFaces& faces, const Mesh& mesh, const Triangle& wedges)

@@ -76,7 +76,8 @@ TEST(CockpitReadings, OfAFlightAreItsState)
         EXPECT_NEAR(
             std::remainder(readings[Reading::headingDeg] - std::atan2(forward.x, forward.y) * deg, 360.0),
             0.0, 0.02);
-        // Set to the pressure at the sea it shows the true height, but for the air being a little colder there than the standard has it.
+        // Set to the pressure at the sea it shows the true height, but for the air being a little colder
+        // there than the standard has it.
         EXPECT_NEAR(readings[Reading::altitudeFt] * 0.3048,
                     state.position.z * std::pow(1003.0 / 1013.25, 0.190263), 1.0);
         EXPECT_EQ(readings[Reading::altimeterHpa], 1003.0);

@@ -185,8 +185,8 @@ TEST(ReadModel, SaysWhatIsWrongWithAFile)
         << messageFor(damaged);
 }
 
-/// Real models of every format with changed bytes: loaders may crash in the child process, but nothing in this one may.
-/// OSGTRAINER_MUTATIONS: their total number (84).
+/// Real models of every format with changed bytes: loaders may crash in the child process, but nothing in
+/// this one may. OSGTRAINER_MUTATIONS: their total number (84).
 TEST(ReadModel, MutatedRealModelsCrashNothingOfOurs)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(models, "models");

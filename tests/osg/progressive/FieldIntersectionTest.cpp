@@ -14,7 +14,8 @@ namespace
 
 using namespace fieldsubjects;
 
-/// The largest difference of two sets of hits on one line, in metres and in normals; no value if their numbers differ.
+/// The largest difference of two sets of hits on one line, in metres and in normals; no value if their
+/// numbers differ.
 struct Difference
 {
     std::size_t hits = 0, unequalCounts = 0, otherInstances = 0;

@@ -63,7 +63,8 @@ inline osg::Quat turn(testsupport::Random& random)
     return attitude;
 }
 
-/// Scatters all kinds in turn over a square with sides of 400; what is visible of each instance lies about its position.
+/// Scatters all kinds in turn over a square with sides of 400; what is visible of each instance lies about
+/// its position.
 inline std::vector<FieldInstance> scattered(std::size_t count, const std::vector<FieldKind>& of)
 {
     testsupport::Random random(17);

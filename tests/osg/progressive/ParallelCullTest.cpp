@@ -20,7 +20,8 @@ const Subject& parallelSubject()
     return made;
 }
 
-/// A camera of 800 × 600 pixels, each so many metres wide, at a distance; or a perspective with such pixels at 0.
+/// A camera of 800 × 600 pixels, each so many metres wide, at a distance; or a perspective with such pixels
+/// at 0.
 osg::ref_ptr<osg::Camera> camera(double metresPerPixel, double awayM, bool isParallel = true)
 {
     auto made = handcull::cameraAt({8.0, -awayM, 0.3 * awayM}, {8.0, 0.0, 0.0});

@@ -120,7 +120,8 @@ TEST(ProgressiveNode, KeepsItsScreenErrorWithinTheTolerance)
         cull(*node, *cameraAway(metres), 1);
         const std::uint32_t steps = node->statistics().back().steps;
         const double radius = subject().shape->sphere().radius;
-        // 800 × 600 pixels, 46.8° high. Pixels of the corners, which are larger, are left out; that makes the check stricter.
+        // 800 × 600 pixels, 46.8° high. Pixels of the corners, which are larger, are left out; that makes the
+        // check stricter.
         const double pixels = subject().shape->levels().errors[steps].distance / (metres - radius) * 300.0 /
                               std::tan(osg::DegreesToRadians(23.4));
         EXPECT_LE(pixels, node->selection().tolerancePx) << metres;

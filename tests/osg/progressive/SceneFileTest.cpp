@@ -66,7 +66,8 @@ void expectEqual(const core::SelectionSettings& a, const core::SelectionSettings
     EXPECT_EQ(a.alpha.goneM, b.alpha.goneM);
 }
 
-/// Two nodes of one shape, and between them a node of another shape. The first has its own settings and a second child.
+/// Two nodes of one shape, and between them a node of another shape. The first has its own settings and a
+/// second child.
 osg::ref_ptr<osg::Group> scene()
 {
     const osg::ref_ptr<ProgressiveShape> shape = progressive::torusAndSheet().shape;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program that is not linked with the library (as osgviewer) reads and writes its objects: OSG loads the serializers by itself.
+// A program that is not linked with the library (as osgviewer) reads and writes its objects: OSG loads the
+// serializers by itself.
 #include <gtest/gtest.h>
 
 #include <osgDB/ReadFile>

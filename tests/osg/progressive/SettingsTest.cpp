@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings of the library's nodes and functions: what is given back, what is refused and how the message reads.
+// Settings of the library's nodes and functions: what is given back, what is refused and how the message
+// reads.
 #include <cmath>
 #include <functional>
 #include <limits>

@@ -6,7 +6,8 @@
 
 #include <osg/Program>
 
-/// The shader programs that the libraries, the benchmarks and the tests draw with, without a graphics context.
+/// The shader programs that the libraries, the benchmarks and the tests draw with, without a graphics
+/// context.
 namespace shadercheck
 {
 
@@ -19,7 +20,8 @@ struct NamedProgram
 
 /// All combinations of what a terrain may have.
 std::vector<NamedProgram> terrainPrograms();
-/// The terrain's program with nothing, with one thing each, and with everything: enough to check how stages fit together.
+/// The terrain's program with nothing, with one thing each, and with everything: enough to check how stages
+/// fit together.
 std::vector<NamedProgram> terrainExtremes();
 /// The kinds and units of colour layers on tiles of osgTerrain, with and without holes.
 std::vector<NamedProgram> layerPrograms();
@@ -36,8 +38,8 @@ struct Composition
     std::string text;
 };
 
-/// The shaders of a program, one program for each combination of the defines that "#pragma import_defines" of any of them names.
-/// osg::Shader puts such defines behind the #version line; so does this.
+/// The shaders of a program, one program for each combination of the defines that "#pragma import_defines" of
+/// any of them names. osg::Shader puts such defines behind the #version line; so does this.
 std::vector<std::vector<Composition>> variantsOf(const NamedProgram& named);
 
 /// The variants of all programs, each text once.

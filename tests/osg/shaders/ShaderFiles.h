@@ -8,8 +8,8 @@
 namespace shadercheck
 {
 
-/// A piece of a shader file that stands in compositions without a change: the text below the head, cut at the lines
-/// "// <marker>", which programs replace.
+/// A piece of a shader file that stands in compositions without a change: the text below the head, cut at the
+/// lines "// <marker>", which programs replace.
 struct ShaderPiece
 {
     std::string file; ///< relative to the root of the tree

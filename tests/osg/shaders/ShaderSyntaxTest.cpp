@@ -68,7 +68,8 @@ TEST(ShaderSyntax, StagesOfEveryProgramFitTogether)
 
 TEST(ShaderSyntax, AVergeReadsNoMoreSamplersThanOpenGlGuarantees)
 {
-    // 16 in OpenGL 3.3 (table 6.51), two of which are for edits of the ground, which this terrain has none of.
+    // 16 in OpenGL 3.3 (table 6.51), two of which are for edits of the ground, which this terrain has none
+    // of.
     int most = 0;
     for (const NamedProgram& named : objectPrograms())
         if (named.name.starts_with("verge"))

@@ -28,7 +28,8 @@ class RealModel : public testing::TestWithParam<const char*>
 {
 };
 
-/// Reads a model and prepares it for simplification; fails the test and returns no faces if it cannot be read.
+/// Reads a model and prepares it for simplification; fails the test and returns no faces if it cannot be
+/// read.
 Mesh meshFrom(const std::filesystem::path& file)
 {
     const auto model = pmtool::readClean(file.string(), {});
@@ -121,7 +122,8 @@ TEST_P(Tree, CoversMoreWhenItsLeavesGrow)
 INSTANTIATE_TEST_SUITE_P(Models, Tree,
                          testing::Values("tree/eztree_oak_medium.obj", "tree/eztree_bush_1.obj"));
 
-/// Returns the share of a level's area that shows its texture farther from its place than the level is from the original.
+/// Returns the share of a level's area that shows its texture farther from its place than the level is from
+/// the original.
 double smearedShare(const Mesh& mesh, const SimplifySettings& settings, double share)
 {
     const CollapseSequence sequence = simplify(mesh, settings);

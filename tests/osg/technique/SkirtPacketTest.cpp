@@ -31,7 +31,8 @@ struct Skirt
     double depthM;
     PacketPtr packet;
 
-    /// Samples of the border that walls stand on, each counted once: 2 · (columns - 1 + rows - 1) when none is missing.
+    /// Samples of the border that walls stand on, each counted once: 2 · (columns - 1 + rows - 1) when none
+    /// is missing.
     double coveredSamples() const
     {
         const int lastColumn = tile->tile.grid().dataColumns() - 1,
@@ -80,7 +81,8 @@ TEST(SkirtPacket, HangsFromWhereTrianglesCrossTheDatasEdge)
     for (const double errorM : {0.0, 5.0, 60.0})
     {
         const Skirt skirt(50, 41, errorM, 3.0);
-        // Places between samples are told to the nearest one: each wall may be half a sample off at either end.
+        // Places between samples are told to the nearest one: each wall may be half a sample off at either
+        // end.
         EXPECT_NEAR(skirt.coveredSamples(), 2.0 * (49 + 40), 4.0) << errorM;
         EXPECT_TRUE(skirt.hangsStraightDown());
     }

@@ -74,7 +74,8 @@ unsigned int hits(osg::Node& node, const osg::Vec3d& from, const osg::Vec3d& to)
     return static_cast<unsigned int>(segment->getIntersections().size());
 }
 
-/// Cells are cut along one diagonal by us and along either by osgTerrain: between samples both are right to this.
+/// Cells are cut along one diagonal by us and along either by osgTerrain: between samples both are right to
+/// this.
 constexpr double kTwistM = 5.0;
 
 } // namespace

@@ -32,8 +32,9 @@ osg::ref_ptr<osgTerrain::TerrainTile> tileOf(const TileSpec& spec);
 /// A terrain of `side`² tiles side by side, each as `spec` but for its place.
 osg::ref_ptr<osgTerrain::Terrain> terrainOf(int side, const TileSpec& spec);
 
-/// A database of two levels in the folder: DATABASE.osgb, a Terrain over one PagedLOD with a tile of 65² samples, whose
-/// four children with as many each are read when the eye is nearer than `rangeM`. Returns the file.
+/// A database of two levels in the folder: DATABASE.osgb, a Terrain over one PagedLOD with a tile of 65²
+/// samples, whose four children with as many each are read when the eye is nearer than `rangeM`. Returns the
+/// file.
 std::filesystem::path writePagedDatabase(const std::filesystem::path& folder, double rangeM,
                                          const std::string& extension = "osgb");
 

@@ -71,7 +71,8 @@ TEST(Atmosphere, TheSunsHeightDecidesTheColours)
 
 TEST(Atmosphere, TheSunIsAsStrongBesideTheSkyAsItIsMeasured)
 {
-    // Clear skies: the sky gives a sixth to a tenth of the light of a high sun, as much as the sun at some 10 degrees.
+    // Clear skies: the sky gives a sixth to a tenth of the light of a high sun, as much as the sun at some 10
+    // degrees.
     const auto ratio = [](double elevationDeg)
     {
         const AtmosphereLight light = atmosphereLight(withSun(elevationDeg));

@@ -84,7 +84,8 @@ TEST_F(BisectionDrawing, noPointIsFartherOffThanTheCameraAllows)
     cull(*sphere, *camera, 1);
     const auto& model = *sphere->model();
     osgTerrainROAM::core::BisectionMesh mesh(model.surface, model.patches);
-    // 800 pixels over 60 degrees; a unit of tangent in the corner of the picture has no fewer pixels than in the middle.
+    // 800 pixels over 60 degrees; a unit of tangent in the corner of the picture has no fewer pixels than in
+    // the middle.
     const double pixelsPerTangent = 800.0 / (2.0 * std::tan(osg::DegreesToRadians(30.0)));
     const osgTerrainROAM::core::BisectionView view{
         {kNear.x(), kNear.y(), kNear.z()}, 2.0 / pixelsPerTangent, 1.0};

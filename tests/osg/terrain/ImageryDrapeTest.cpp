@@ -82,7 +82,8 @@ TEST(ImageryDrape, ALayerReachesAsFarAsItsImageryAndKeepsItsResolution)
 {
     const TemporaryFolder folder;
     const auto tile = geographicTile(folder);
-    // 1800 by 1500 m from 500 m east and 400 m north of the south-western sample: inside the tile of 2.58 by 2.78 km.
+    // 1800 by 1500 m from 500 m east and 400 m north of the south-western sample: inside the tile of 2.58 by
+    // 2.78 km.
     writeImagery(folder / "fine.tif", 422567.8 + 500.0, 5094533.6 + 400.0);
     const auto layer = imageryLayer(folder / "fine.tif", tile);
     ASSERT_TRUE(layer) << layer.error().message();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light does not change across an edge of the mesh, whatever the levels on either side: the shader reads the normal from
-// a map of all samples, at the grid position that it interpolates over a triangle.
+// The light does not change across an edge of the mesh, whatever the levels on either side: the shader reads
+// the normal from a map of all samples, at the grid position that it interpolates over a triangle.
 #include <algorithm>
 #include <cmath>
 #include <map>

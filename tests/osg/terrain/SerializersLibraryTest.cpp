@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program that does not link osgTerrainROAM (as osgviewer) reads a scene with a terrain: OSG finds the library by itself.
+// A program that does not link osgTerrainROAM (as osgviewer) reads a scene with a terrain: OSG finds the
+// library by itself.
 #include <gtest/gtest.h>
 
 #include <osg/Node>

@@ -115,7 +115,8 @@ TEST(OuterGround, SeaStaysSea)
     EXPECT_LT(land.ground.at({-900, -700}).water, 0.01);
 }
 
-/// Half of the data is sea. Beyond them the coast winds: from place to place it does not go on in one direction.
+/// Half of the data is sea. Beyond them the coast winds: from place to place it does not go on in one
+/// direction.
 TEST(OuterGround, CoastsWindBeyondTheData)
 {
     core::HeightField field = testsupport::hills(257, 257, 90.0);
@@ -142,7 +143,8 @@ TEST(OuterGround, CoastsWindBeyondTheData)
     EXPECT_GT(bends, 2.0); // 1 where the nearest part of the border counts
 }
 
-/// Returns the mean difference of the heights of neighbouring rows beside the data, so many texels beyond the eastern border.
+/// Returns the mean difference of the heights of neighbouring rows beside the data, so many texels beyond the
+/// eastern border.
 double roughnessAlong(const Around& around, int texel)
 {
     double sum = 0.0;
@@ -155,8 +157,8 @@ double roughnessAlong(const Around& around, int texel)
     return sum / OuterAxis::kInside;
 }
 
-/// Beside a narrow raster the rows of the surroundings are a few metres apart, the columns soon hundreds: hills that no column can show
-/// would be streaks that run straight away from the border.
+/// Beside a narrow raster the rows of the surroundings are a few metres apart, the columns soon hundreds:
+/// hills that no column can show would be streaks that run straight away from the border.
 TEST(OuterGround, HasNoStreaksWhereItsTexelsAreLong)
 {
     const Around around(testsupport::hills(512, 256, 1.0));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is placed on the true ground stands on the drawn one as well, within the pixels that the terrain may be off.
+// What is placed on the true ground stands on the drawn one as well, within the pixels that the terrain may
+// be off.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -43,7 +44,8 @@ PlacedScenery placedOn(const osgTerrainROAM::RoamTerrain& terrain)
     return placeScenery(*description, measures, ground, {});
 }
 
-/// The most that an object's 0 is off the drawn mesh, in pixels of the camera; the mesh is asked as a picker would.
+/// The most that an object's 0 is off the drawn mesh, in pixels of the camera; the mesh is asked as a picker
+/// would.
 double worstPx(osgTerrainROAM::RoamTerrain& terrain, const PlacedScenery& placed)
 {
     double worst = 0.0;
@@ -56,7 +58,8 @@ double worstPx(osgTerrainROAM::RoamTerrain& terrain, const PlacedScenery& placed
         terrain.accept(visitor);
         EXPECT_TRUE(ray->containsIntersections());
         if (!ray->containsIntersections()) continue;
-        // Upright ones stand up to their foundation's margin off the ground at their middle: on slopes of their base.
+        // Upright ones stand up to their foundation's margin off the ground at their middle: on slopes of
+        // their base.
         const double slack = 0.4;
         const double off = std::max(
             0.0, std::abs(ray->getFirstIntersection().getWorldIntersectPoint().z() - at.z()) - slack);

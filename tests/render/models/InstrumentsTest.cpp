@@ -25,8 +25,8 @@ double levelAt(const osg::Image& image, int x, int y)
     return colour.r() + colour.g() + colour.b();
 }
 
-/// Where two pictures differ farthest from `middle` within `reachPx`: the mean of the last pixels of that, weighted by their difference, so
-/// that it is better than a pixel's raster.
+/// Where two pictures differ farthest from `middle` within `reachPx`: the mean of the last pixels of that,
+/// weighted by their difference, so that it is better than a pixel's raster.
 glm::dvec2 farthestDifference(const osg::Image& a, const osg::Image& b, const glm::dvec2& middle,
                               double reachPx)
 {
@@ -56,8 +56,9 @@ glm::dvec2 farthestDifference(const osg::Image& a, const osg::Image& b, const gl
     return weight > 0.0 ? sum / weight : middle;
 }
 
-/// Draws the panel with an instrument at values over its scale, and returns how far the tip of its first needle is from where its
-/// scale has the value, at most. `errorShare`: of the scale, by which the drawn value is wrong. Units: pixels.
+/// Draws the panel with an instrument at values over its scale, and returns how far the tip of its first
+/// needle is from where its scale has the value, at most. `errorShare`: of the scale, by which the drawn
+/// value is wrong. Units: pixels.
 double worstTipPx(InteriorStudio& studio, const glm::dvec3& eye, double panelXM,
                   const models::PlacedInstrument& placed, std::initializer_list<double> shares,
                   double errorShare)

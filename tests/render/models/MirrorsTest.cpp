@@ -78,7 +78,8 @@ TEST(Mirrors, OfACarShowTheRoadBehindIt)
 {
     const auto interior = interiorOf(EntityKind::car, kEyeOfCar);
     const Pose vehicle;
-    // A car 30 m behind in the same lane, in the inner mirror; one that overtakes on the left, in the left one; on the right, in the right one.
+    // A car 30 m behind in the same lane, in the inner mirror; one that overtakes on the left, in the left
+    // one; on the right, in the right one.
     const std::pair<std::size_t, glm::dvec3> cars[] = {
         {2, {-30.0, 0.0, 0.8}}, {0, {-15.0, 3.5, 0.8}}, {1, {-15.0, -3.5, 0.8}}};
     for (const auto& [mirror, car] : cars)

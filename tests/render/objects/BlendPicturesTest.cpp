@@ -110,7 +110,8 @@ TEST(ScreenDoor, KeepsItsPatternWhenASwitchRunsBack)
     EXPECT_TRUE(osgOffscreen::compareImages(*last, *Ends::get().finer).identical());
 }
 
-/// Parts that are transparent at rest switch by screen door while the rest of the object is blended, and fade by their own alpha.
+/// Parts that are transparent at rest switch by screen door while the rest of the object is blended, and fade
+/// by their own alpha.
 TEST(BlendsOfGlass, BeginAndEndInThePicturesOfTheirLevelsAndChangeLittleByLittle)
 {
     const osg::ref_ptr<ProgressiveShape> glass = torusOnSheet(true);

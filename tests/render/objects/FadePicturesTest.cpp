@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alpha ranges among other objects: a fading object is mixed with the background, and never with parts of itself.
+// Alpha ranges among other objects: a fading object is mixed with the background, and never with parts of
+// itself.
 #include <cmath>
 #include <functional>
 
@@ -35,7 +36,8 @@ Picture faded(const core::SwitchSettings& switching, double alpha,
     return picture;
 }
 
-/// Returns how much an image differs from the object mixed with the background; without glass in front or behind.
+/// Returns how much an image differs from the object mixed with the background; without glass in front or
+/// behind.
 int worstMix(const osg::Image& picture, double alpha)
 {
     const auto &object = Ends::get().finer, &behind = Ends::get().behind;

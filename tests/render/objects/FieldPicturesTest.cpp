@@ -156,7 +156,8 @@ protected:
                                                 glmOf(_viewer->camera().getProjectionMatrix()), 480, 360);
     }
 
-    /// From the distant view nearer in no time, by less than half of the distance in each frame: an eye that jumps sees no switch.
+    /// From the distant view nearer in no time, by less than half of the distance in each frame: an eye that
+    /// jumps sees no switch.
     void approach(const osg::ref_ptr<ProgressiveField>& field)
     {
         for (const double backM : {260.0, 160.0, 100.0, 60.0, 35.0, 18.0, 8.0})

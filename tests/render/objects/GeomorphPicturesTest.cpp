@@ -16,8 +16,8 @@ namespace
 
 using namespace switched;
 
-/// The object with a light at the eye, below a state with the program that draws switching objects, so that one at rest has the same
-/// light.
+/// The object with a light at the eye, below a state with the program that draws switching objects, so that
+/// one at rest has the same light.
 struct Lit
 {
     osg::ref_ptr<ProgressiveNode> node;
@@ -59,7 +59,8 @@ Change largestChange(const std::vector<Picture>& pictures)
     return largest;
 }
 
-/// Returns how many times less a morph changes the image from frame to frame than a switch at once, in either direction.
+/// Returns how many times less a morph changes the image from frame to frame than a switch at once, in either
+/// direction.
 struct Gain
 {
     double mean = 1e9, largest = 1e9;
@@ -115,7 +116,8 @@ TEST(Geomorph, ChangesThePictureAtLeastFourTimesLessThanAHardSwitch)
     EXPECT_GE(gain.mean, 4.0);
 }
 
-/// Returns how much levels change the image while an eye approaches: the same eye before and after a change of level.
+/// Returns how much levels change the image while an eye approaches: the same eye before and after a change
+/// of level.
 Change largestChangeOfApproach(const osg::ref_ptr<ProgressiveShape>& shape, core::SwitchMethod method)
 {
     constexpr int kSamples = 2, kFrames = 150;
@@ -165,7 +167,8 @@ TEST(Geomorph, ChangesThePictureAtLeastFourTimesLessAllAlongAnApproach)
     EXPECT_GE(gainOfApproach(made(), "made"), 4.0);
 }
 
-/// The comparison above can fail: below a program that does not call the functions of the morph, the switch is at once.
+/// The comparison above can fail: below a program that does not call the functions of the morph, the switch
+/// is at once.
 TEST(GeomorphMutation, VerticesThatDoNotMoveAreSeen)
 {
     const osg::ref_ptr<osg::StateSet> state = new osg::StateSet;

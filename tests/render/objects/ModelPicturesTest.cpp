@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real models, drawn before and after: import and export do not change images, and consolidation does not where there was no
-// defect.
+// Real models, drawn before and after: import and export do not change images, and consolidation does not
+// where there was no defect.
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>

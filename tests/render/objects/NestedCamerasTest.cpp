@@ -16,7 +16,8 @@ constexpr int kWidthPx = 320, kHeightPx = 240, kFrames = 33;
 const osg::Vec4 kSky{0.35F, 0.45F, 0.6F, 1.0F};
 const osg::Vec3d kOtherSide{-0.8, -0.7, 0.9};
 
-/// The switching object among others with a lamp, and possibly a camera that renders them into an image of its own before the main one.
+/// The switching object among others with a lamp, and possibly a camera that renders them into an image of
+/// its own before the main one.
 struct Studio
 {
     Studio() : lit(new osg::Group), all(new osg::Group)
@@ -29,7 +30,8 @@ struct Studio
         EXPECT_TRUE(scene.node->setSelection(always(finerSteps())));
     }
 
-    /// Looks from the front. The nested camera has its own position, which for `isRelative` follows from that of the main camera.
+    /// Looks from the front. The nested camera has its own position, which for `isRelative` follows from that
+    /// of the main camera.
     void open(bool hasNested, bool isRelative = false, const osg::Vec3d& from = kFrom, bool isFirst = false)
     {
         stage = Stage::of(*all, 1, kWidthPx, kHeightPx);
@@ -105,8 +107,8 @@ const std::vector<Picture>& aside()
     return pictures;
 }
 
-/// An absolute camera is an eye of its own, and a relative one shows the levels of the main camera; each has the image that it would
-/// have alone.
+/// An absolute camera is an eye of its own, and a relative one shows the levels of the main camera; each has
+/// the image that it would have alone.
 class NestedCameras : public testing::TestWithParam<bool>
 {
 };
@@ -158,7 +160,8 @@ TEST(NestedCamerasThatComeLate, HaveNoPartInTheSwitchOfAnotherEye)
     }
 }
 
-/// A camera that comes first in the scene is culled before the main camera chooses, and shows the frame before.
+/// A camera that comes first in the scene is culled before the main camera chooses, and shows the frame
+/// before.
 TEST(NestedCamerasThatComeFirst, AreAFrameBehindTheMainOnesLevels)
 {
     Studio studio;

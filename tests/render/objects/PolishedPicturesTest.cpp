@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The gain of polishing by images, measured in images of OSG: another renderer, other directions and another projection than
-// those of the polishing.
+// The gain of polishing by images, measured in images of OSG: another renderer, other directions and another
+// projection than those of the polishing.
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>

@@ -105,8 +105,8 @@ struct Made
     std::uint32_t most() const { return shape->progressive().stepCount; }
 };
 
-/// The normals of a scaled object are as long as those of an unscaled one; without that they have a hundredth of the length here,
-/// and the object is black.
+/// The normals of a scaled object are as long as those of an unscaled one; without that they have a hundredth
+/// of the length here, and the object is black.
 TEST(ProgressivePictures, OfAScaledObjectAreAsLightAsThoseOfAnUnscaledOne)
 {
     const osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(Made::get().shape);
@@ -192,7 +192,8 @@ TEST(ProgressivePictures, AreThoseOfTheBakedGeometryAfterJumpsAndBehindThem)
     EXPECT_GT(drawable->statistics().at(0).played.steps, most) << "they were made up for";
 }
 
-/// Returns the last of sixty frames in which the object approaches and recedes, and how much was uploaded for them.
+/// Returns the last of sixty frames in which the object approaches and recedes, and how much was uploaded for
+/// them.
 std::pair<osg::ref_ptr<osg::Image>, std::size_t> lastPicture(osgViewer::ViewerBase::ThreadingModel model,
                                                              core::SwitchMethod method)
 {
@@ -331,8 +332,8 @@ bool differsAt(const osg::Image& a, const osg::Image& b, int x, int y)
     return !std::equal(a.data(x, y), a.data(x, y) + 3, b.data(x, y));
 }
 
-/// Counts the pixels of one level that differ from plain geometry, and how many of them also change in plain geometry when the last of equal
-/// depths is drawn instead of the first.
+/// Counts the pixels of one level that differ from plain geometry, and how many of them also change in plain
+/// geometry when the last of equal depths is drawn instead of the first.
 std::pair<int, int> offAndOfEqualDepth(ProgressiveDrawable& drawable, osg::Group& baked)
 {
     const osg::BoundingSphere ball = drawable.getBound();
@@ -352,9 +353,10 @@ std::pair<int, int> offAndOfEqualDepth(ProgressiveDrawable& drawable, osg::Group
     return {off, ofEqualDepth};
 }
 
-/// OSG leaves out drawables that are smaller than some pixels, plain ones material by material: then a pole of vinson is missing that the
-/// progressive object, which is culled as a whole, has. Without that test both draw the same, except for coarse levels, where faces lie in one
-/// plane: at pixels of equal depth the face that is drawn first is seen.
+/// OSG leaves out drawables that are smaller than some pixels, plain ones material by material: then a pole
+/// of vinson is missing that the progressive object, which is culled as a whole, has. Without that test both
+/// draw the same, except for coarse levels, where faces lie in one plane: at pixels of equal depth the face
+/// that is drawn first is seen.
 TEST(ProgressiveModelPicturesOfSmallParts, DifferByThosePartsAndByTheOrderInOnePlaneOnly)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, "models/ship/vinson.ac");

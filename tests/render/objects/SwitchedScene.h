@@ -121,7 +121,8 @@ inline Change worst(const Change& a, const Change& b)
     return {std::max(a.mean, b.mean), std::max(a.largest, b.largest)};
 }
 
-/// Captures frames of a scene, one after the other; each pixel of an image is the mean of `samples` × `samples`.
+/// Captures frames of a scene, one after the other; each pixel of an image is the mean of `samples` ×
+/// `samples`.
 class Stage
 {
 public:

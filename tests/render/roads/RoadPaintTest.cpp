@@ -69,7 +69,8 @@ core::RoadMesh withoutPaint(core::RoadMesh mesh)
 
 TEST(RoadPaint, ACrosswalkIsAsLargeAsTold)
 {
-    // 6 m by 6 m: seven stripes of 0.5 m begin at 3.5 m, so 3 m of the 6 m across are paint; 4 m of the 6 m along.
+    // 6 m by 6 m: seven stripes of 0.5 m begin at 3.5 m, so 3 m of the 6 m across are paint; 4 m of the 6 m
+    // along.
     EXPECT_NEAR(seenFrom(crosswalkRoad(), 8.0, 6.0).bright, 0.5 * 4.0 / 6.0, 0.02);
 }
 
@@ -80,7 +81,8 @@ TEST(RoadPaint, ACrosswalkLeftOutIsSeen)
 
 TEST(RoadPaint, StripesThinnerThanAPixelAreTheirShare)
 {
-    // 128 m on 64 pixels: a stripe is a quarter of a pixel wide. The crosswalk covers 28 of 128 × 7 m of road.
+    // 128 m on 64 pixels: a stripe is a quarter of a pixel wide. The crosswalk covers 28 of 128 × 7 m of
+    // road.
     const double far = seenFrom(crosswalkRoad(), 900.0, 128.0).mean -
                        seenFrom(withoutPaint(crosswalkRoad()), 900.0, 128.0).mean;
     EXPECT_GT(far, 0.0);

@@ -47,7 +47,8 @@ void expectUnlike(Terrain& a, Terrain& b, const char* what)
         << what << ' ' << found.mean << ' ' << found.shareFar;
 }
 
-/// Does the same to one of ours and one of stock osgTerrain's; they stay alike, and differ from ours without it.
+/// Does the same to one of ours and one of stock osgTerrain's; they stay alike, and differ from ours without
+/// it.
 void expectRespected(const std::function<void(Terrain&)>& change, const char* what, const TileSpec& spec = {})
 {
     const auto mine = ours(1.0, spec), theirs = stock(spec), unchanged = ours(1.0, spec);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A database of stock osgTerrain nodes, written to files and paged in by osgViewer, in all of its threading models.
+// A database of stock osgTerrain nodes, written to files and paged in by osgViewer, in all of its threading
+// models.
 #include <chrono>
 #include <cmath>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real ground as a database of stock osgTerrain tiles: ours against GeometryTechnique, along a way over its seams.
+// Real ground as a database of stock osgTerrain tiles: ours against GeometryTechnique, along a way over its
+// seams.
 #include <gtest/gtest.h>
 
 #include <osgTerrain/GeometryTechnique>
@@ -49,7 +50,8 @@ osg::ref_ptr<osgTerrain::Terrain> databaseOf(const HeightField& field,
     return terrain;
 }
 
-/// Pixels far brighter than each of their eight neighbours: what a coarse mip level on a slope seen edge-on makes.
+/// Pixels far brighter than each of their eight neighbours: what a coarse mip level on a slope seen edge-on
+/// makes.
 int brightDots(const osg::Image& picture)
 {
     const auto level = [&](int x, int y)

@@ -13,7 +13,8 @@ namespace
 using namespace techniquepictures;
 using namespace techniquescene;
 
-/// Background seen in 40 pictures from a little above the cross of four tiles: downwards, along the seams and across.
+/// Background seen in 40 pictures from a little above the cross of four tiles: downwards, along the seams and
+/// across.
 std::size_t holes(osgTerrain::Terrain& terrain, const std::function<void(osgTerrain::Terrain&)>& change = {})
 {
     Pictures pictures(&terrain);

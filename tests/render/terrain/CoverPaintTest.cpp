@@ -48,7 +48,8 @@ osg::ref_ptr<osg::Image> fromAbove(const osg::ref_ptr<RoamTerrain>& terrain, dou
     return camera.picture({19975.0, 20000.0, heightM}, -kUp, kNorth);
 }
 
-/// How far, in pixels, the border between sand and forest strays from a straight line up the picture: standard deviation.
+/// How far, in pixels, the border between sand and forest strays from a straight line up the picture:
+/// standard deviation.
 double strayPx(const osg::Image& picture)
 {
     double sum = 0.0, squares = 0.0;

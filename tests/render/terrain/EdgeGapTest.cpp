@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surroundings meet the tile without a hole or a step, at any level of detail. The scene is drawn by a program that paints
-// walls red and all other ground white, before a background of magenta. A hole is a vertical run of magenta below ground; a
-// step is a run of magenta and red: no more of it may be seen than the error of both sides.
+// The surroundings meet the tile without a hole or a step, at any level of detail. The scene is drawn by a
+// program that paints walls red and all other ground white, before a background of magenta. A hole is a
+// vertical run of magenta below ground; a step is a run of magenta and red: no more of it may be seen than
+// the error of both sides.
 #include <algorithm>
 
 #include <gtest/gtest.h>

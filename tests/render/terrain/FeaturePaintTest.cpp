@@ -24,7 +24,8 @@ constexpr double kFlash = 25.0; ///< levels
 const osg::Vec3d kZenith(0.0, 0.0, 1.0);
 const osg::Vec3d kNorthward(0.0, 1.0, 0.0);
 
-/// Middle of the brightest line within `reach` of a pixel in a row, weighted by what it is brighter than asphalt.
+/// Middle of the brightest line within `reach` of a pixel in a row, weighted by what it is brighter than
+/// asphalt.
 double brightMiddlePx(const osg::Image& picture, double nearPx, int row, int reach)
 {
     const int middle = static_cast<int>(nearPx);
@@ -40,7 +41,8 @@ double brightMiddlePx(const osg::Image& picture, double nearPx, int row, int rea
     return sum > 0.0 ? moment / sum : -1e9;
 }
 
-/// The worst distance, in pixels, of the inner edge line from where it has to be; seen from 2 m above the lane's middle.
+/// The worst distance, in pixels, of the inner edge line from where it has to be; seen from 2 m above the
+/// lane's middle.
 double worstLineErrorPx(const osg::ref_ptr<RoamTerrain>& terrain, double roadEast, double halfWidthM)
 {
     Camera camera(terrain);
@@ -84,7 +86,8 @@ std::pair<double, double> edgesPx(const osg::Image& with, const osg::Image& with
     return {first, last};
 }
 
-/// The worst distance of an edge from where a strip 31 m wide has to have it; of a strip that is `widthM` wide, from 500 m.
+/// The worst distance of an edge from where a strip 31 m wide has to have it; of a strip that is `widthM`
+/// wide, from 500 m.
 double worstStripErrorPx(double east, double widthM)
 {
     // Too short for markings: a strip of asphalt. Snow around it is even, and bright.
@@ -125,8 +128,9 @@ void mutate(RoamTerrain& terrain, const std::string& from, const std::string& to
     terrain.material()->stateSet()->setAttributeAndModes(changed);
 }
 
-/// Pixels that flash: brighter or darker than in the frame before and after by more than kFlash levels. Above row 125, which
-/// is farther than 25 m for the driver: nearer grains of the soil are larger than pixels and do pass by.
+/// Pixels that flash: brighter or darker than in the frame before and after by more than kFlash levels. Above
+/// row 125, which is farther than 25 m for the driver: nearer grains of the soil are larger than pixels and
+/// do pass by.
 std::size_t flashes(const osg::ref_ptr<RoamTerrain>& terrain, const osg::Vec3d& from, const osg::Vec3d& step,
                     const osg::Vec3d& ahead)
 {
@@ -232,7 +236,8 @@ TEST(FeaturePaint, DoesNotSparkleWhenTheEyeMoves)
     EXPECT_GT(flashes(unfiltered, pilot, {0.3, 0.4, 0.0}, down), 2000u);
 }
 
-/// What stands for meshes near by is painted from a distance on. From 60 m above, a road 30 m wide near the eye and one 200 m wide 2 km ahead.
+/// What stands for meshes near by is painted from a distance on. From 60 m above, a road 30 m wide near the
+/// eye and one 200 m wide 2 km ahead.
 TEST(FeaturePaint, IsLeftOutNearerThanTold)
 {
     const std::vector roads = {line(FeatureKind::road, 30.0, {900.0, 20000.0}, {1100.0, 20000.0}),
@@ -260,7 +265,8 @@ TEST(FeaturePaint, IsLeftOutNearerThanTold)
     EXPECT_NE(all[1], none[1]);
 }
 
-/// How much of what asphalt takes from bright snow a runway of 30 m takes 1 km behind its threshold, seen on final approach 2 km before that: in the middle of the strip.
+/// How much of what asphalt takes from bright snow a runway of 30 m takes 1 km behind its threshold, seen on
+/// final approach 2 km before that: in the middle of the strip.
 double runwayShareFromFinal(const std::string& mutated)
 {
     const auto levelOf = [&](const std::vector<core::GroundFeature>& features)

@@ -14,8 +14,8 @@ constexpr int kWidthPx = 480;
 constexpr int kHeightPx = 270;
 constexpr double kFieldOfViewDeg = 45.0; ///< of the picture's height
 
-/// A plain at height 0, 64 km wide, with features painted on it, in the light of a high sun and clear air; under even snow
-/// where `snow` says so.
+/// A plain at height 0, 64 km wide, with features painted on it, in the light of a high sun and clear air;
+/// under even snow where `snow` says so.
 osg::ref_ptr<osgTerrainROAM::RoamTerrain>
 plain(const std::vector<osgTerrainROAM::core::GroundFeature>& features, bool snow = false);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Furrows are relief along a field's rows: light from across them shows it, light along them does not, and from afar nothing does.
+// Furrows are relief along a field's rows: light from across them shows it, light along them does not, and
+// from afar nothing does.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of the ground in the picture against what such ground reflects. Light of known strength falls on each kind of ground, and from the
-// mean of its pixels follows what share of it came back.
-// Sources of the reflectances, which are those of visible light, where plants are darker than in the near infrared that other tables
-// include: Bowker et al., Spectral reflectances of natural targets for use in remote sensing studies, NASA RP-1139 (1985): grass, conifers,
-// soils, rocks; Warren, Optical properties of snow (1982); Pomerantz, Akbari and Harvey, Cooler reflective pavements (2000): asphalt, 0.04 when new
-// and 0.12 in the mean after five years.
+// Colours of the ground in the picture against what such ground reflects. Light of known strength falls on
+// each kind of ground, and from the mean of its pixels follows what share of it came back. Sources of the
+// reflectances, which are those of visible light, where plants are darker than in the near infrared that
+// other tables include: Bowker et al., Spectral reflectances of natural targets for use in remote sensing
+// studies, NASA RP-1139 (1985): grass, conifers, soils, rocks; Warren, Optical properties of snow (1982);
+// Pomerantz, Akbari and Harvey, Cooler reflective pavements (2000): asphalt, 0.04 when new and 0.12 in the
+// mean after five years.
 #include <array>
 #include <cmath>
 #include <string>
@@ -166,8 +167,8 @@ TEST(SunlitGround, GroundReflectsWhatSuchGroundReflects)
 
 TEST(SunlitGround, AMediumSceneInFullSunIsAMediumGrey)
 {
-    // 12.4 % is what an outdoor scene reflects in the mean (Dickerson and Zawadzki, 2008), 118 of 255 is sRGB's grey of 18 %, for which
-    // meters aim (ISO 2720).
+    // 12.4 % is what an outdoor scene reflects in the mean (Dickerson and Zawadzki, 2008), 118 of 255 is
+    // sRGB's grey of 18 %, for which meters aim (ISO 2720).
     EXPECT_NEAR(meanLevel(greyCard(0.124)), 118.0, 2.0);
     const auto brighter = greyCard(0.124);
     exposeMore(brighter, 1.1F);
@@ -184,7 +185,8 @@ TEST(SunlitGround, ATenthMoreOfExposureIsSeenInAReflectance)
 
 TEST(SunlitGround, AShadowIsBlueAndASlopeInTheSunIsWarm)
 {
-    // The same light that all shaders use: on level ground at noon it is white, without the sun blue, without the sky warm.
+    // The same light that all shaders use: on level ground at noon it is white, without the sun blue, without
+    // the sky warm.
     const auto terrain = plain({});
     const AtmosphereLight& light = terrain->atmosphere()->light();
     const osg::Vec3d level = levelLight(*terrain);

@@ -21,8 +21,8 @@ struct Viewpoint
 /// A driver's eye 1.5 m above the beach, a pilot's at 300 m, the whole island from 3000 m.
 std::vector<Viewpoint> viewpoints(const osgTerrainROAM::core::PlacedTile& tile);
 
-/// An island of 200×180 samples, 25 m apart, in the sea, with hills, a peak and a lake; no library function decides
-/// a height's last bit. Planar, in the midst of a 257² tile, so that its edges are clipped.
+/// An island of 200×180 samples, 25 m apart, in the sea, with hills, a peak and a lake; no library function
+/// decides a height's last bit. Planar, in the midst of a 257² tile, so that its edges are clipped.
 osgTerrainROAM::core::HeightField islandField();
 std::shared_ptr<const osgTerrainROAM::core::RoamTile> islandTile();
 

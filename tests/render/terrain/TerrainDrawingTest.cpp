@@ -42,8 +42,8 @@ std::size_t backgroundPixels(const osg::Image& picture)
 
 } // namespace
 
-// The triangles are the same, their order in the buffers is not: where two hills fall into one step of the depth
-// buffer, the order would decide. With a near plane of 5 m no pixel here is such a place.
+// The triangles are the same, their order in the buffers is not: where two hills fall into one step of the
+// depth buffer, the order would decide. With a near plane of 5 m no pixel here is such a place.
 TEST(TerrainDrawing, APictureDoesNotDependOnTheWayThere)
 {
     const auto travelled = islandTerrain();

@@ -143,7 +143,8 @@ TEST(ChannelRig, PicturesDoNotDependOnHowFarFromTheOriginTheSceneLies)
     const auto a = draw(near.root, trainer::singleChannel(320, 160), near.eye);
     const auto b = draw(far.root, trainer::singleChannel(320, 160), eye);
     const auto difference = compareImages(*a[0], *b[0]);
-    // The rounding of the matrices differs, by up to three levels of a shaded texture; a shift by a pixel would be tens of levels.
+    // The rounding of the matrices differs, by up to three levels of a shaded texture; a shift by a pixel
+    // would be tens of levels.
     EXPECT_TRUE(difference.within(320U * 160U / 20, 3)) << difference.message();
     eye.positionWorld.y += 0.05;
     const auto shifted = draw(far.root, trainer::singleChannel(320, 160), eye);

@@ -57,7 +57,8 @@ TEST(FallingDrops, RainAndSnowAreSeenAndTheMoreTheHeavier)
 
 TEST(FallingDrops, FallAtTheirSpeed)
 {
-    // A drop that has fallen by the height of the box is where another was: the picture is the same, and at half of that time it is not.
+    // A drop that has fallen by the height of the box is where another was: the picture is the same, and at
+    // half of that time it is not.
     const simulation::Hydrometeors rain = simulation::rainOf(10.0);
     const double wholeS = scenery::FallingDrops::kBoxM / rain.fallMps;
     const auto now = groundWith(rain, 0.0, kUnderRain);

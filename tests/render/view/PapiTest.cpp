@@ -27,7 +27,8 @@ osg::ref_ptr<osg::Image> pictureAt(const std::vector<scenery::PapiUnit>& units, 
                                  scenery::poseLookingAt({-kAwayM, 0.0, up + 5.5}, {0.0, 0.0, 5.5}), settings);
 }
 
-/// How many of the four lights are white: by the pixels that a picture with lights has brighter than one without.
+/// How many of the four lights are white: by the pixels that a picture with lights has brighter than one
+/// without.
 double whites(std::vector<scenery::PapiUnit> units, double elevationDeg)
 {
     for (scenery::PapiUnit& unit : units)

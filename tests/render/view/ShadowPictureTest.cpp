@@ -10,8 +10,8 @@ namespace
 
 constexpr double kSunDeg = 40.0;
 
-/// How many pixels of a picture the shadow darkens, and the sum by which it brightens others (it may not). `groundM`: of the true surface
-/// below the drawn one, on which the shadow is laid.
+/// How many pixels of a picture the shadow darkens, and the sum by which it brightens others (it may not).
+/// `groundM`: of the true surface below the drawn one, on which the shadow is laid.
 struct Darkened
 {
     int pixels = 0, brighter = 0;
@@ -59,7 +59,8 @@ TEST(ShadowPicture, LiesOnTheDrawnGroundFromAboveAndFromADriversEye)
         const Darkened exact = darkenedFrom(eye, 0.0), lower = darkenedFrom(eye, -0.01);
         EXPECT_GT(exact.pixels, 100);
         EXPECT_EQ(exact.brighter, 0);
-        // Drawn and true surface may differ by 1 cm: then the shadow lies a little elsewhere, but has no holes.
+        // Drawn and true surface may differ by 1 cm: then the shadow lies a little elsewhere, but has no
+        // holes.
         EXPECT_GT(lower.pixels, 0.95 * exact.pixels);
         EXPECT_LT(lower.pixels, 1.2 * exact.pixels);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow maps in pictures: the shadow of a post lies where the sun's rays put it, from any eye and whichever way one looks.
+// Shadow maps in pictures: the shadow of a post lies where the sun's rays put it, from any eye and whichever
+// way one looks.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -120,7 +121,8 @@ double endOf(double sunDeg)
     return kPostAtM - kHalfM - kPostM / std::tan(glm::radians(sunDeg));
 }
 
-/// Two texels of the nearest map, and by how much a place is looked up off its surface at 11 m: 3 pixels along the rays.
+/// Two texels of the nearest map, and by how much a place is looked up off its surface at 11 m: 3 pixels
+/// along the rays.
 constexpr double kToleranceM = 0.15;
 
 } // namespace

@@ -98,7 +98,8 @@ TEST(EntityLamps, ShineOnlyWhileTheyAreLit)
 namespace
 {
 
-/// How much brighter the picture of an aircraft with navigation lights is than without, summed over the picture, by colours.
+/// How much brighter the picture of an aircraft with navigation lights is than without, summed over the
+/// picture, by colours.
 glm::dvec3 glowSeen(const glm::dvec3& eye, double sunElevationDeg)
 {
     const auto pictureWith = [&](bool isLit)

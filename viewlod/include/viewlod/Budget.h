@@ -7,8 +7,8 @@
 namespace viewlod
 {
 
-/// The budget of one frame. errorTolerancePx asks for detail, the other values limit it. Reaching a limit is not an error: the
-/// result reports the screen error that remains.
+/// The budget of one frame. errorTolerancePx asks for detail, the other values limit it. Reaching a limit is
+/// not an error: the result reports the screen error that remains.
 struct Budget
 {
     /// The clock that measures maxTimeUs.

@@ -11,9 +11,9 @@ namespace viewlod
 
 /// A view frustum: six half-spaces whose normals point inwards and have unit length.
 /// Frame: that of the matrix it was made from (world for ViewState).
-/// Source: Gribb & Hartmann, *Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix*, 2001. Masks after
-/// Assarsson & Möller, *Optimized View Frustum Culling Algorithms for Bounding Boxes*, 2000: when a bounding volume lies inside
-/// a plane, its contents need no test against that plane.
+/// Source: Gribb & Hartmann, *Fast Extraction of Viewing Frustum Planes from the World-View-Projection
+/// Matrix*, 2001. Masks after Assarsson & Möller, *Optimized View Frustum Culling Algorithms for Bounding
+/// Boxes*, 2000: when a bounding volume lies inside a plane, its contents need no test against that plane.
 class Frustum
 {
 public:
@@ -41,7 +41,8 @@ public:
         }
     }
 
-    /// Tests a sphere against the planes in `toTest` only. Child volumes need tests only against the planes returned.
+    /// Tests a sphere against the planes in `toTest` only. Child volumes need tests only against the planes
+    /// returned.
     Verdict classify(const glm::dvec3& center, double radius, Mask toTest = kAllPlanes) const
     {
         Mask crossing = 0;
@@ -65,7 +66,8 @@ public:
     const std::array<glm::dvec4, kPlanes>& planes() const { return _planes; }
 
 private:
-    /// Scales a plane to a unit normal. A projection without a far plane gives a zero normal: then everything is inside.
+    /// Scales a plane to a unit normal. A projection without a far plane gives a zero normal: then everything
+    /// is inside.
     static glm::dvec4 normalized(const glm::dvec4& plane)
     {
         const double length = glm::length(glm::dvec3(plane));

@@ -10,13 +10,14 @@ namespace viewlod
 {
 
 /// The time slice of one frame. Refinement reports each operation to it and asks whether time is left.
-/// Reading the thread's clock costs as much as several operations, so it is read only after kBetweenReadingsUs of modelled time.
+/// Reading the thread's clock costs as much as several operations, so it is read only after
+/// kBetweenReadingsUs of modelled time.
 class Slice
 {
 public:
-    /// Modelled costs of taking one entry from the deferral wheel, of re-evaluating a vertex, and of splitting or merging a
-    /// triangle. Their ratio lies between that of measured times and that of counted instructions
-    /// (docs/measurements/terrain-refinement.md).
+    /// Modelled costs of taking one entry from the deferral wheel, of re-evaluating a vertex, and of
+    /// splitting or merging a triangle. Their ratio lies between that of measured times and that of counted
+    /// instructions (docs/measurements/terrain-refinement.md).
     static constexpr double kHandOutUs = 0.01, kCheckUs = 0.03, kChangeUs = 0.07;
 
     explicit Slice(const Budget& budget)

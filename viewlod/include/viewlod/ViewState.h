@@ -26,7 +26,8 @@ struct ViewState
     int widthPx = 0;
     int heightPx = 0;
 
-    /// Makes a view from OpenGL view and perspective (possibly off-axis) projection matrices and the viewport in pixels.
+    /// Makes a view from OpenGL view and perspective (possibly off-axis) projection matrices and the viewport
+    /// in pixels.
     static ViewState fromMatrices(const glm::dmat4& view, const glm::dmat4& projection, int widthPx,
                                   int heightPx)
     {

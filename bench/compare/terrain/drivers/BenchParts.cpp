@@ -29,8 +29,8 @@ double threadNs()
     return 1e3 * viewlod::Slice::threadUs();
 }
 
-/// Returns the median over repetitions of the time to remove a triangle of one subtree; 0 when it has fewer than a
-/// thousand.
+/// Returns the median over repetitions of the time to remove a triangle of one subtree; 0 when it has fewer
+/// than a thousand.
 template<class Merge>
 double nsPerRemoved(const std::shared_ptr<const RoamTile>& tile, int level, const Merge& merge)
 {

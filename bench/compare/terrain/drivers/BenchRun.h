@@ -41,9 +41,9 @@ struct BenchRun
 using FrameSink = std::function<foundation::Outcome(int frame, const viewlod::ViewState&,
                                                     const osgTerrainROAM::core::DrawnMesh&)>;
 
-/// Flies the path, measures each frame but the first, which builds the mesh, and checks some frames by brute force.
-/// `sink` receives the checked frames. Returns the row of the table: times in microseconds of this thread, changes in
-/// diamonds split or merged, upload in bytes per triangle that was added or removed.
+/// Flies the path, measures each frame but the first, which builds the mesh, and checks some frames by brute
+/// force. `sink` receives the checked frames. Returns the row of the table: times in microseconds of this
+/// thread, changes in diamonds split or merged, upload in bytes per triangle that was added or removed.
 foundation::Result<nlohmann::ordered_json> measure(const BenchRun& run, const FrameSink& sink);
 
 } // namespace terraintool

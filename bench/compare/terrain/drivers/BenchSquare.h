@@ -19,8 +19,8 @@ struct SquareChoice
     std::optional<double> cellM; ///< sample distance instead of the file's
 };
 
-/// Returns the square of samples that was asked for, from the north-west; else the largest of 2^n+1 samples in the
-/// middle. Errors: it is no part of the raster, or too small; `file` is their place.
+/// Returns the square of samples that was asked for, from the north-west; else the largest of 2^n+1 samples
+/// in the middle. Errors: it is no part of the raster, or too small; `file` is their place.
 foundation::Result<osgTerrainROAM::core::HeightField>
 squareOf(const osgTerrainROAM::core::HeightField& all, const SquareChoice& choice, const std::string& file);
 

@@ -21,7 +21,8 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-/// A triangle by its corners, in steps of the vertices, the least corner first: equal where it is drawn alike.
+/// A triangle by its corners, in steps of the vertices, the least corner first: equal where it is drawn
+/// alike.
 using Corners = std::array<std::array<int, 3>, 3>;
 
 struct PlacedTriangle

@@ -19,7 +19,8 @@ struct FrameChange
 };
 
 /// Compares the meshes of two frames as one eye sees them. Only triangles that differ are looked at.
-/// Precondition: vertices move in height only. Cost: O(n log n) of the triangles, and the samples of those that differ.
+/// Precondition: vertices move in height only. Cost: O(n log n) of the triangles, and the samples of those
+/// that differ.
 FrameChange changeBetween(const osgTerrainROAM::core::PlacedTile& tile,
                           const osgTerrainROAM::core::DrawnMesh& before,
                           const osgTerrainROAM::core::DrawnMesh& now, const viewlod::ViewState& view);

@@ -78,7 +78,8 @@ Figures shareOfTime(const char* method, double FitFigures::*share)
     };
 }
 
-/// How much dearer morphing makes regular decimation's frames than it makes ROAM's, by time and by vertices written.
+/// How much dearer morphing makes regular decimation's frames than it makes ROAM's, by time and by vertices
+/// written.
 void morphingOfBlocks(const DemComparison& dem, std::vector<double>& figures)
 {
     const MethodFigures *blocks = dem.of("regular-decimation"), *roam = dem.of("roam");

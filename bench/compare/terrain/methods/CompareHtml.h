@@ -10,8 +10,8 @@
 namespace terraintool
 {
 
-/// Makes the report of a comparison, a page that needs no network: the verdicts of claims, and for each terrain figures, the
-/// verdicts of requirements, and plots over the frames.
+/// Makes the report of a comparison, a page that needs no network: the verdicts of claims, and for each
+/// terrain figures, the verdicts of requirements, and plots over the frames.
 /// `pictures`: the folder of the pictures, as seen from the page.
 std::string comparisonHtml(const std::vector<DemComparison>& dems, const std::string& pictures = "");
 

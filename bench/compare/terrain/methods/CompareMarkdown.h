@@ -9,7 +9,8 @@
 namespace terraintool
 {
 
-/// Makes the tables of a comparison as Markdown, for documentation: figures and verdicts of all terrains, side by side, without plots.
+/// Makes the tables of a comparison as Markdown, for documentation: figures and verdicts of all terrains,
+/// side by side, without plots.
 std::string comparisonMarkdown(const std::vector<DemComparison>& dems);
 
 } // namespace terraintool

@@ -18,7 +18,8 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-/// The largest true error in the checked frames, each thread with a mesh of its own: without morphing a mesh depends on the eye alone.
+/// The largest true error in the checked frames, each thread with a mesh of its own: without morphing a mesh
+/// depends on the eye alone.
 double errorAt(double tolerancePx, const Rival& rival, const RoamTile& tile, const ComparedFlight& flight)
 {
     std::vector<const viewlod::ViewState*> views;
@@ -86,7 +87,8 @@ double toleranceForError(const Rival& rival, const RoamTile& tile, const Compare
 {
     constexpr int kMostTries = 20;
     constexpr double kMostFactor = 8.0; // of a step into the unknown
-    // The error jumps between tolerances so near to each other. One mesh for all eyes is made and measured whole for each.
+    // The error jumps between tolerances so near to each other. One mesh for all eyes is made and measured
+    // whole for each.
     const double narrow = rival.adapts ? 1.0005 : 1.01;
     constexpr double kAtEnds = 0.05;     // of the interval: nearer to an end than this it hardly shrinks
     constexpr double kLargestPx = 512.0; // times the error: nothing happens beyond

@@ -17,7 +17,8 @@ struct FigureColumn
     std::function<std::string(const MethodFigures&)> text;
 };
 
-/// The columns of the two tables of a report: the main figures, and what verdicts of advantages and drawbacks need.
+/// The columns of the two tables of a report: the main figures, and what verdicts of advantages and drawbacks
+/// need.
 const std::vector<FigureColumn>& figureColumns();
 const std::vector<FigureColumn>& furtherFigureColumns();
 

@@ -17,9 +17,9 @@ std::optional<osgTerrainROAM::core::GridPoint> sampleInSight(const osgTerrainROA
 std::optional<MorphFigures> measureMorph(const Rival& rival, const ComparedFlight& flight,
                                          double tolerancePx);
 
-/// Lowers a sample of the terrain of `rivals` in sight of the first eye again and again, and measures how long each method's mesh takes to follow.
-/// A method whose mesh is then off by more than twice the compared error, and twice its tolerance, does not follow. Writes `editUs` of each; the terrain stays
-/// edited.
+/// Lowers a sample of the terrain of `rivals` in sight of the first eye again and again, and measures how
+/// long each method's mesh takes to follow. A method whose mesh is then off by more than twice the compared
+/// error, and twice its tolerance, does not follow. Writes `editUs` of each; the terrain stays edited.
 void measureEdits(const Rivals& rivals, const ComparedFlight& flight, std::vector<MethodFigures>& methods);
 
 } // namespace terraintool

@@ -34,9 +34,10 @@ struct ComparedFlight
 double trueErrorPx(const RivalMesh& mesh, const osgTerrainROAM::core::RoamTile& tile,
                    const viewlod::ViewState& view);
 
-/// Finds the tolerance of a method at which its true error is that of the flight: the error grows about as the tolerance does, so the next one
-/// tried is where the line through two others, in logarithms, meets it; every third one halves the interval. The error is no continuous
-/// function, so the nearest that was met is taken. Cost: up to 20 passes over the checked frames, in parallel.
+/// Finds the tolerance of a method at which its true error is that of the flight: the error grows about as
+/// the tolerance does, so the next one tried is where the line through two others, in logarithms, meets it;
+/// every third one halves the interval. The error is no continuous function, so the nearest that was met is
+/// taken. Cost: up to 20 passes over the checked frames, in parallel.
 double toleranceForError(const Rival& rival, const osgTerrainROAM::core::RoamTile& tile,
                          const ComparedFlight& flight);
 
@@ -52,7 +53,8 @@ struct Painting
     std::string stem{};             ///< begins the names of the files
 };
 
-/// Compares all methods over a square of samples, and programs; of one that fails there is no row, and stderr says so.
+/// Compares all methods over a square of samples, and programs; of one that fails there is no row, and stderr
+/// says so.
 /// Errors: a method cannot draw it; a picture cannot be drawn or written.
 using FlightMaker =
     std::function<foundation::Result<ComparedFlight>(const osgTerrainROAM::core::PlacedTile&)>;

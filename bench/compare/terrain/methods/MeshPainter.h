@@ -35,13 +35,15 @@ public:
     /// What draws, in a line.
     virtual std::string rendererName() const = 0;
 
-    /// Draws the terrain by a method as programs draw it, at every view in turn, and returns the median of what a picture takes: to
-    /// adapt, to upload, to draw it with the land's full look and to read it. Units: milliseconds of processor time of all
-    /// threads. The first two views do not count: they build the mesh and compile. Errors: the method cannot draw it.
+    /// Draws the terrain by a method as programs draw it, at every view in turn, and returns the median of
+    /// what a picture takes: to adapt, to upload, to draw it with the land's full look and to read it. Units:
+    /// milliseconds of processor time of all threads. The first two views do not count: they build the mesh
+    /// and compile. Errors: the method cannot draw it.
     virtual foundation::Result<double> pictureMs(const PaintedTerrain& terrain, double tolerancePx,
                                                  std::span<const viewlod::ViewState> views) = 0;
 
-    /// Writes a JPEG file of a mesh from one eye: lit triangles above, with their sides below. Errors: the file cannot be written.
+    /// Writes a JPEG file of a mesh from one eye: lit triangles above, with their sides below. Errors: the
+    /// file cannot be written.
     virtual foundation::Outcome write(const osgTerrainROAM::core::DrawnMesh& mesh,
                                       const viewlod::ViewState& view, const std::filesystem::path& file) = 0;
 };

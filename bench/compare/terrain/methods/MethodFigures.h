@@ -9,7 +9,8 @@
 namespace terraintool
 {
 
-/// What a method does at a ceiling of triangles: as many as ROAM draws at equal error, or the fewest that it can draw.
+/// What a method does at a ceiling of triangles: as many as ROAM draws at equal error, or the fewest that it
+/// can draw.
 struct CeilingFigures
 {
     double asked = 0.0;          ///< as many as ROAM draws
@@ -26,7 +27,8 @@ struct SliceFigures
     std::size_t faults = 0; ///< frames after which the mesh was not valid, or not conforming
 };
 
-/// What an adaptation costs: µs = baseUs + nsPerTriangle of the mesh + nsPerChange of a triangle that is written (WorkFit.h).
+/// What an adaptation costs: µs = baseUs + nsPerTriangle of the mesh + nsPerChange of a triangle that is
+/// written (WorkFit.h).
 struct FitFigures
 {
     double baseUs = 0.0, nsPerTriangle = 0.0, nsPerChange = 0.0;

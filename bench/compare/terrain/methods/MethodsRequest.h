@@ -30,7 +30,8 @@ struct MethodsRequest
     std::filesystem::path markdown;    ///< its tables; empty: none
 };
 
-/// Compares all methods of level of detail over the same flight, at equal true error and at equal numbers of triangles.
+/// Compares all methods of level of detail over the same flight, at equal true error and at equal numbers of
+/// triangles.
 foundation::Result<terminal::Report> compareMethods(const MethodsRequest& request);
 
 } // namespace terraintool

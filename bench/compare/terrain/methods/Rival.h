@@ -47,10 +47,12 @@ public:
     /// Lets detail come and go without a jump from the next refinement on. Returns whether the method does.
     virtual bool setMorphing(bool) { return false; }
 
-    /// Slots of triangles and vertices that the last refinement wrote; of a mesh that is made anew all of them.
+    /// Slots of triangles and vertices that the last refinement wrote; of a mesh that is made anew all of
+    /// them.
     virtual WrittenSlots written() const = 0;
 
-    /// Triangles that are left when those are omitted that cannot be in the frame. Nothing: the method omits none.
+    /// Triangles that are left when those are omitted that cannot be in the frame. Nothing: the method omits
+    /// none.
     virtual std::optional<std::uint32_t> trianglesIn(const viewlod::Frustum&) const { return std::nullopt; }
 
     virtual bool isValid() const = 0;
@@ -82,7 +84,8 @@ struct Rival
         failure{}; ///< tells what has kept it from making a mesh; empty: nothing can
 };
 
-/// The terrain and all methods, then split multi-triangulations ("multi-triangulation") and ROAM from scratch ("scratch").
+/// The terrain and all methods, then split multi-triangulations ("multi-triangulation") and ROAM from scratch
+/// ("scratch").
 struct Rivals
 {
     std::shared_ptr<osgTerrainROAM::core::RoamTile> tile;

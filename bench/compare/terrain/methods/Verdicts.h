@@ -28,7 +28,8 @@ struct QualityVerdict
 };
 
 /// Judges every method by the requirements R1 to R8, from its figures alone.
-/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), sections 2 and 5.3. The limits are this project's.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), sections 2 and 5.3. The
+/// limits are this project's.
 std::vector<RequirementVerdict> requirementVerdicts(const DemComparison& dem);
 
 /// Judges what the paper claims of the methods; a claim is confirmed when it holds on every terrain.

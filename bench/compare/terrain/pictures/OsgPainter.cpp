@@ -35,7 +35,8 @@ osg::Matrixd toOsg(const glm::dmat4& matrix)
     return osg::Matrixd(&matrix[0][0]);
 }
 
-/// Sets a camera as a view was made: its rows are those of the matrix from the world to the clip space, but for their lengths.
+/// Sets a camera as a view was made: its rows are those of the matrix from the world to the clip space, but
+/// for their lengths.
 void place(osg::Camera& camera, const viewlod::ViewState& view)
 {
     const glm::dmat4 rows = glm::transpose(view.clipFromWorld);
@@ -72,7 +73,8 @@ public:
         constexpr std::size_t kWarmUp = 2;
         const osg::ref_ptr<osgTerrainROAM::RoamDrawable> ground =
             new osgTerrainROAM::RoamDrawable(terrain.tile, terrain.method, terrain.prepared);
-        // Views are 1280 pixels wide; the picture is smaller, so the same mesh has fewer pixels of error in it.
+        // Views are 1280 pixels wide; the picture is smaller, so the same mesh has fewer pixels of error in
+        // it.
         const double scale = static_cast<double>(kWidthPx) / views.front().widthPx;
         osgTerrainROAM::RoamDrawableSettings settings = ground->settings();
         settings.errorTolerancePx = scale * tolerancePx;

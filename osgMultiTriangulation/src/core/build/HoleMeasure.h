@@ -21,7 +21,8 @@ public:
     /// Starts with the triangles of a hole. `corners`: those of the hole.
     void begin(std::span<const HoleTriangulation::Piece> pieces, std::span<const Point> corners);
 
-    /// Takes a point into account. Returns the number of its triangle: the first that contains it, or the last.
+    /// Takes a point into account. Returns the number of its triangle: the first that contains it, or the
+    /// last.
     std::uint8_t measure(const Point& point);
 
     std::size_t pieces() const { return _count; }

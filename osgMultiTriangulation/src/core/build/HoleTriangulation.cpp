@@ -20,7 +20,8 @@ double areaOf(const HoleTriangulation::Point& a, const HoleTriangulation::Point&
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Goes through the triangles of a triangulation of corners 0 … count - 1, by middle(i, k, number): the third corner of the triangle at i–k.
+/// Goes through the triangles of a triangulation of corners 0 … count - 1, by middle(i, k, number): the third
+/// corner of the triangle at i–k.
 template<class Middle>
 void visitPieces(int count, const Middle& middle)
 {
@@ -100,7 +101,8 @@ OSGTRAINER_WIDE void HoleTriangulation::take()
 
 [[gnu::always_inline]] inline void HoleTriangulation::take(const PointLanes& points)
 {
-    // left[i][j]: the points left of i→j. Sides of the polygon have all on their left, the last side from 0 on its right.
+    // left[i][j]: the points left of i→j. Sides of the polygon have all on their left, the last side from 0
+    // on its right.
     std::array<std::array<LaneMask, kMostCorners>, kMostCorners> left;
     for (int i = 0; i + 1 < _count; ++i)
     {

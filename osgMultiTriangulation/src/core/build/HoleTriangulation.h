@@ -12,12 +12,13 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Finds, among all triangulations of a hole, the one whose greatest vertical error at given points is least; of several, the one
-/// with the least sum of squared errors.
-/// The hole is the polygon that the star of a removed vertex leaves. Coordinates are relative to that vertex.
+/// Finds, among all triangulations of a hole, the one whose greatest vertical error at given points is least;
+/// of several, the one with the least sum of squared errors. The hole is the polygon that the star of a
+/// removed vertex leaves. Coordinates are relative to that vertex.
 /// Use: begin(), add() for each point, solve(); more points may be added then, and solved anew.
 /// Cost: O(m³) for m corners, and for each point O(m²) sides and the triangles that contain it.
-/// Source: dynamic programming over the diagonals of a polygon, Klincsek, *Minimal triangulations of polygonal domains* (1980).
+/// Source: dynamic programming over the diagonals of a polygon, Klincsek, *Minimal triangulations of
+/// polygonal domains* (1980).
 /// Differs: the weight of a triangulation is its greatest error, not a sum of lengths.
 /// Threads: one; its memory is reused.
 class HoleTriangulation
@@ -80,15 +81,17 @@ public:
     /// Returns whether there is a triangulation at all (without triangles of no area).
     bool solve();
 
-    /// The same among the fans: the triangulations whose triangles all have one corner. `isAtBorder`: only the first corner and the
-    /// last may be that corner, as on a border, where the side between these two is to become the outline.
+    /// The same among the fans: the triangulations whose triangles all have one corner. `isAtBorder`: only
+    /// the first corner and the last may be that corner, as on a border, where the side between these two is
+    /// to become the outline.
     bool solveFan(bool isAtBorder);
 
     /// Returns the greatest error of the triangulation found.
     double error() const { return _best[0][_count - 1].error; }
     double squares() const { return _best[0][_count - 1].squares; }
 
-    /// Returns what was found in one number: the triangles follow from it and the corners. After solve(), and after solveFan().
+    /// Returns what was found in one number: the triangles follow from it and the corners. After solve(), and
+    /// after solveFan().
     std::uint32_t code() const;
     std::uint32_t codeOfFan() const { return static_cast<std::uint32_t>(_apex); }
 

@@ -7,8 +7,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Four numbers side by side, and what comparing them gives: all bits or none, by lane. The compiler takes what the processor has; each
-/// lane is computed as a number alone would be, so results are the same on all.
+/// Four numbers side by side, and what comparing them gives: all bits or none, by lane. The compiler takes
+/// what the processor has; each lane is computed as a number alone would be, so results are the same on all.
 constexpr std::size_t kLanes = 4;
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 using LaneMask = std::int64_t __attribute__((vector_size(kLanes * sizeof(std::int64_t))));
@@ -30,7 +30,8 @@ struct PointLanes
     }
 };
 
-/// Code that gains from wide registers is compiled for those with AVX2, too; which is taken is found out when the program starts.
+/// Code that gains from wide registers is compiled for those with AVX2, too; which is taken is found out when
+/// the program starts.
 #if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&    \
     !defined(__SANITIZE_THREAD__)
 #define OSGTRAINER_WIDE __attribute__((target_clones("avx2", "default")))

@@ -13,8 +13,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// The star of a vertex: its triangles in counter-clockwise order, and the ring around them. On the border of the surface the ring
-/// has a corner more than the star has triangles.
+/// The star of a vertex: its triangles in counter-clockwise order, and the ring around them. On the border of
+/// the surface the ring has a corner more than the star has triangles.
 struct LiveStar
 {
     static constexpr int kMost = HoleTriangulation::kMostCorners;
@@ -26,10 +26,12 @@ struct LiveStar
         across; ///< the slot beyond the side from ring[i] to the next corner, or kNone
 };
 
-/// The triangulation while vertices are removed, with neighbours and with the removed points in each triangle.
-/// The points of a triangle lie side by side, so that a walk over them does not wait for memory. When some go to other triangles all of
-/// the star are written anew, behind the others; when there is no more room, what is left is put together.
-/// Memory: 4 B a vertex, 40 B a triangle, 32 B a point that is or will be removed, and 16 B more while they are put together.
+/// The triangulation while vertices are removed, with neighbours and with the removed points in each
+/// triangle. The points of a triangle lie side by side, so that a walk over them does not wait for memory.
+/// When some go to other triangles all of the star are written anew, behind the others; when there is no more
+/// room, what is left is put together.
+/// Memory: 4 B a vertex, 40 B a triangle, 32 B a point that is or will be removed, and 16 B more while they
+/// are put together.
 class LiveSurface
 {
 public:
@@ -57,12 +59,12 @@ public:
         return std::span(_removed).subspan(_faces[slot].firstPoint, _faces[slot].pointCount);
     }
 
-    /// Gathers the star of a vertex that is there. Returns false when the vertex has to stay: more corners than
-    /// LiveStar::kMost, a corner of the surface's outline.
+    /// Gathers the star of a vertex that is there. Returns false when the vertex has to stay: more corners
+    /// than LiveStar::kMost, a corner of the surface's outline.
     bool gatherStar(std::uint32_t v, LiveStar& star) const;
 
-    /// Removes a vertex: `pieces` (corners by their place in the ring) take the place of its star. They are numbered from
-    /// `firstNumber`, in order. The points of the star and the vertex are moved into them.
+    /// Removes a vertex: `pieces` (corners by their place in the ring) take the place of its star. They are
+    /// numbered from `firstNumber`, in order. The points of the star and the vertex are moved into them.
     /// `pieceOf`: by point, that of the vertex first, then those of the star's triangles.
     void replaceStar(std::uint32_t v, const LiveStar& star, std::span<const HoleTriangulation::Piece> pieces,
                      std::uint32_t firstNumber, std::span<const std::uint8_t> pieceOf);

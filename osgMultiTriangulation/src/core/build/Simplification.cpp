@@ -82,8 +82,8 @@ void Simplification::run(std::size_t keep)
     }
 }
 
-/// Finds the best triangulation of the hole of a vertex by the worst few points of each triangle: it leaves no more than the best
-/// by all points. Returns whether there is one.
+/// Finds the best triangulation of the hole of a vertex by the worst few points of each triangle: it leaves
+/// no more than the best by all points. Returns whether there is one.
 bool Simplification::judge(std::uint32_t vertex, Candidate& candidate)
 {
     if (!gatherHole(vertex)) return false;
@@ -120,8 +120,8 @@ bool Simplification::solve()
     return _filling == Filling::best ? _hole.solve() : _hole.solveFan(_star.corners > _star.triangles);
 }
 
-/// Measures what judge() has found over all points. Where some are farther off than it knew, they are added, and the hole is solved
-/// anew. What no point contradicts is the best by all points.
+/// Measures what judge() has found over all points. Where some are farther off than it knew, they are added,
+/// and the hole is solved anew. What no point contradicts is the best by all points.
 void Simplification::measure(Candidate& candidate)
 {
     for (int round = 0; round < kRounds; ++round)

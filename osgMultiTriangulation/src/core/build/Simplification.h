@@ -14,8 +14,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// How the hole of a removed vertex is filled: by the triangulation with the least error, or by the best fan around one of its
-/// corners, so that the removal is a half-edge collapse.
+/// How the hole of a removed vertex is filled: by the triangulation with the least error, or by the best fan
+/// around one of its corners, so that the removal is a half-edge collapse.
 enum class Filling
 {
     best,

@@ -66,7 +66,8 @@ InTree Extraction::resolved(InTree triangle) const
     return triangle;
 }
 
-/// Returns the fragment whose star has a triangle; its tree is kNone when the triangle is part of the root of all.
+/// Returns the fragment whose star has a triangle; its tree is kNone when the triangle is part of the root of
+/// all.
 InTree Extraction::upperOf(InTree triangle) const
 {
     while (triangle.tree != kNone)

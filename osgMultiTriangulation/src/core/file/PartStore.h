@@ -32,16 +32,19 @@ struct HiddenRecord
     SurfacePoint point() const { return {x, y, height}; }
 };
 
-/// Adds a run of records to the sum of those before it. Runs have RecordFile::kBuffered records, but the last.
+/// Adds a run of records to the sum of those before it. Runs have RecordFile::kBuffered records, but the
+/// last.
 std::uint32_t sumOfRecords(std::span<const HiddenRecord> records, std::uint32_t before);
 
-/// A folder with the finished parts of a build. Each is a file of its own that is whole or not there; a damaged one is not there
-/// either. Files that another machine wrote may be read only where bytes have the same order.
-/// Threads, processes: any number may write at once; where two write the same part, its bytes are the same.
+/// A folder with the finished parts of a build. Each is a file of its own that is whole or not there; a
+/// damaged one is not there either. Files that another machine wrote may be read only where bytes have the
+/// same order. Threads, processes: any number may write at once; where two write the same part, its bytes are
+/// the same.
 class PartStore
 {
 public:
-    /// Opens or makes the folder, and empties it when it is of another build. `identity`: of input and options.
+    /// Opens or makes the folder, and empties it when it is of another build. `identity`: of input and
+    /// options.
     static foundation::Result<PartStore> open(const std::filesystem::path& folder, std::uint32_t identity);
 
     /// Takes a folder that open() has made. Errors: it is not there, or of another build.
@@ -50,8 +53,8 @@ public:
 
     foundation::Outcome putTree(std::uint32_t part, const StoredTree& tree) const;
     foundation::Outcome putRest(std::uint32_t part, const PartMesh& rest) const;
-    /// Files of all hidden points of parts that have too many for memory. A file that is written is there after commitHidden(), and
-    /// counts once putRest() has told its sum.
+    /// Files of all hidden points of parts that have too many for memory. A file that is written is there
+    /// after commitHidden(), and counts once putRest() has told its sum.
     foundation::Result<RecordFile<HiddenRecord>> createHidden(std::uint32_t part) const;
     foundation::Outcome commitHidden(std::uint32_t part) const;
     foundation::Result<RecordFile<HiddenRecord>> openHidden(std::uint32_t part) const;

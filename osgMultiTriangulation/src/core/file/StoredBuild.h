@@ -14,21 +14,22 @@
 namespace osgMultiTriangulation::core
 {
 
-/// A build whose parts are kept in a folder. A part is built from what the folder has of its halves, so it may be built by any
-/// thread or process that sees the folder, and again without harm.
+/// A build whose parts are kept in a folder. A part is built from what the folder has of its halves, so it
+/// may be built by any thread or process that sees the folder, and again without harm.
 /// Memory: 60 B a part, and in build() one part.
 class StoredBuild
 {
 public:
-    /// `mostHidden`: with more hidden points below it, a part is built with a choice of them; its errors are measured over all.
-    /// Source, partition and store must stay.
+    /// `mostHidden`: with more hidden points below it, a part is built with a choice of them; its errors are
+    /// measured over all. Source, partition and store must stay.
     StoredBuild(const PartSource& source, const Partition& partition, const PartStore& store,
                 double heightStep, std::uint64_t mostHidden);
 
     /// Takes what an earlier run has finished. Returns by part whether it needs no work.
     std::vector<bool> resume();
 
-    /// Whether a part needs no work: its tree is whole, and so is what is left of it, until the part above has taken that.
+    /// Whether a part needs no work: its tree is whole, and so is what is left of it, until the part above
+    /// has taken that.
     bool isDone(std::uint32_t part) const;
 
     /// Whether what is left of a part is whole.

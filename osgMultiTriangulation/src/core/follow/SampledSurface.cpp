@@ -13,7 +13,8 @@ namespace
 
 constexpr double kPointsOfSample = 4.0;
 
-/// Draws trees into the samples, one below the other, so that no more than a way from the main part down is in memory.
+/// Draws trees into the samples, one below the other, so that no more than a way from the main part down is
+/// in memory.
 class SurfaceSampler
 {
 public:

@@ -20,7 +20,8 @@ namespace
 constexpr double kMostSpare = 50.0; ///< an eye that moves faster has jumped
 constexpr double kSpareOfMove = 2.0;
 
-/// Lets a woken thread wait until a processor is free, instead of taking that of the thread which woke it: a frame would wait for it.
+/// Lets a woken thread wait until a processor is free, instead of taking that of the thread which woke it: a
+/// frame would wait for it.
 void yieldToOthers()
 {
 #ifdef __linux__
@@ -165,7 +166,8 @@ std::vector<SurfaceFollower::Job> SurfaceFollower::takeJobs()
     return jobs;
 }
 
-/// Loads what the eyes want, all of it or (not `isWaitedFor`) one tree, and refines. Returns whether everything wanted is there.
+/// Loads what the eyes want, all of it or (not `isWaitedFor`) one tree, and refines. Returns whether
+/// everything wanted is there.
 bool SurfaceFollower::work(const std::vector<Job>& jobs, bool isWaitedFor)
 {
     std::vector<ZoneEye> eyes;
@@ -230,7 +232,8 @@ void SurfaceFollower::share(View& view, const std::vector<Job>& jobs)
     if (owner != jobs.end()) view.newest = owner->view->newest;
 }
 
-/// A surface of the view that nobody draws any more; its memory is used again, so that no frame's thread frees it.
+/// A surface of the view that nobody draws any more; its memory is used again, so that no frame's thread
+/// frees it.
 std::shared_ptr<DrawnSurface> SurfaceFollower::unusedSurface(View& view)
 {
     const std::lock_guard lock(_mutex);

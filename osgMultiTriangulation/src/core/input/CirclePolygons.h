@@ -12,9 +12,10 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Calls visit(numbers, x, y) for each circle with no point inside it and three or more on it: these points counter-clockwise, and
-/// the centre. Fans of them are the Delaunay triangulation.
-/// Source: the vertices of the Voronoi diagram of Boost.Polygon (Fortune's sweep with exact predicates on whole numbers).
+/// Calls visit(numbers, x, y) for each circle with no point inside it and three or more on it: these points
+/// counter-clockwise, and the centre. Fans of them are the Delaunay triangulation.
+/// Source: the vertices of the Voronoi diagram of Boost.Polygon (Fortune's sweep with exact predicates on
+/// whole numbers).
 template<class Visit>
 void visitCirclePolygons(std::span<const SurfacePoint> points, const Visit& visit)
 {

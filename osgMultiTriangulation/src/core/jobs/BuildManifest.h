@@ -26,7 +26,8 @@ struct BuildManifest
     std::vector<std::uint64_t> trianglesOf; ///< by part: of which it is the smallest holder
 };
 
-/// Returns a manifest as a text: a line of each job, by its number, with the jobs that it needs, and a sum at the end.
+/// Returns a manifest as a text: a line of each job, by its number, with the jobs that it needs, and a sum at
+/// the end.
 std::string textOf(const BuildManifest& manifest);
 
 /// Reads what textOf() wrote. Errors: damage, another version.

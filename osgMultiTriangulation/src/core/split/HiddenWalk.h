@@ -14,9 +14,10 @@ namespace osgMultiTriangulation::core
 float verticalDistance(const SurfacePoint& point, const SurfacePoint& a, const SurfacePoint& b,
                        const SurfacePoint& c);
 
-/// Finds the exact errors of a tree from all points below it, one point at a time: a point goes from its triangle of the drain up, from
-/// star to floor, to the root, and raises the error of each triangle on its way. So a tree that was built with some of its points gets
-/// the errors over all of them, whatever their number.
+/// Finds the exact errors of a tree from all points below it, one point at a time: a point goes from its
+/// triangle of the drain up, from star to floor, to the root, and raises the error of each triangle on its
+/// way. So a tree that was built with some of its points gets the errors over all of them, whatever their
+/// number.
 /// Memory: none but the tree. Cost of a point: the fragments above it.
 class HiddenWalk
 {
@@ -24,7 +25,8 @@ public:
     /// Starts over: errors of triangles that the tree has created become 0, those of its drain stay.
     explicit HiddenWalk(MultiTriangulation& tree);
 
-    /// Takes a point that lies in a triangle of the drain. Returns its triangle in the root. `errorM`: becomes its error there.
+    /// Takes a point that lies in a triangle of the drain. Returns its triangle in the root. `errorM`:
+    /// becomes its error there.
     std::uint32_t climb(const SurfacePoint& point, std::uint32_t triangle, float& errorM);
 
     /// Takes the vertex of a fragment.
@@ -49,7 +51,8 @@ public:
 
     void add(std::uint32_t triangle, const SurfacePoint& point, float errorM);
 
-    /// Gives a mesh the points that were chosen, in place of those it has. Equal sets of points give equal choices, in any order.
+    /// Gives a mesh the points that were chosen, in place of those it has. Equal sets of points give equal
+    /// choices, in any order.
     void moveInto(MeasuredMesh& mesh);
 
 private:

@@ -40,7 +40,8 @@ void join(PartMesh& whole, PartMesh half)
     all.hidden.insert(all.hidden.end(), own.hidden.begin(), own.hidden.end());
 }
 
-/// Adds the triangles of the input that this part is the smallest to hold, and those of their corners that are in no half.
+/// Adds the triangles of the input that this part is the smallest to hold, and those of their corners that
+/// are in no half.
 void addTriangles(const PartSource& source, std::uint32_t part, std::uint32_t depth, PartMesh& gathered)
 {
     MeasuredMesh& all = gathered.measured;

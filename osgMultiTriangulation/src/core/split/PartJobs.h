@@ -40,8 +40,8 @@ struct BuiltPart
 /// The halves of a part, built before; empty where there is none.
 using PartHalves = std::array<PartMesh, 2>;
 
-/// Builds the tree of a part, from what is left of its halves and the triangles between them. The same halves give the same part,
-/// wherever and how often it is built.
+/// Builds the tree of a part, from what is left of its halves and the triangles between them. The same halves
+/// give the same part, wherever and how often it is built.
 BuiltPart buildPart(const PartSource& source, const Partition& partition, std::uint32_t part,
                     PartHalves halves);
 

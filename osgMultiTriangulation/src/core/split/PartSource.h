@@ -36,7 +36,8 @@ public:
 
     virtual std::unique_ptr<Points> points() const = 0;
 
-    /// The triangles that a part is the smallest to hold, in the order of the input; corners are numbers of points.
+    /// The triangles that a part is the smallest to hold, in the order of the input; corners are numbers of
+    /// points.
     virtual std::vector<Triangle> trianglesOf(std::uint32_t part) const = 0;
 
     /// Whether checkInput() has found nothing. Where it has not been asked, each part is checked.

@@ -82,7 +82,8 @@ private:
             _result.parts[part].points = static_cast<std::uint32_t>(_figures[part].count);
     }
 
-    /// Halves the parts of a level that are not done: across the longer side or, where all points are on one line, the other.
+    /// Halves the parts of a level that are not done: across the longer side or, where all points are on one
+    /// line, the other.
     void cutAll(std::size_t first, std::size_t end)
     {
         std::vector<std::uint32_t> axes(end - first, 2); // 2: is not halved
@@ -127,7 +128,8 @@ private:
         }
     }
 
-    /// Takes medians for cuts. Where nothing is below one, that of the other axis; where that is no better, the part is not halved.
+    /// Takes medians for cuts. Where nothing is below one, that of the other axis; where that is no better,
+    /// the part is not halved.
     void cutAtMedians(std::size_t first, std::vector<std::uint32_t>& axes, std::vector<double>& cuts)
     {
         findMedians(first, axes, cuts);

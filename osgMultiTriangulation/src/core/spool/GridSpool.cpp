@@ -60,7 +60,8 @@ void GridSpool::cutCells(std::span<const float> upper)
     }
 }
 
-/// Gives numbers to the points of the last row, all of whose triangles are known, and adds the triangles below it.
+/// Gives numbers to the points of the last row, all of whose triangles are known, and adds the triangles
+/// below it.
 void GridSpool::numberRow()
 {
     for (int c = 0; c < _columns; ++c)

@@ -18,9 +18,10 @@ struct MemoryPlan
     unsigned jobs = 1;            ///< threads for which there is room
 };
 
-/// Chooses rectangles so small that one part after the other fits: the balanced number of them, or more. A part is a rectangle with
-/// the borders that were joined, about 8·√N points.
-/// `limitMb`: of the whole process; 0: none, then the balanced number and all hidden points. Errors: no number of rectangles fits; tells the least limit that would do.
+/// Chooses rectangles so small that one part after the other fits: the balanced number of them, or more. A
+/// part is a rectangle with the borders that were joined, about 8·√N points.
+/// `limitMb`: of the whole process; 0: none, then the balanced number and all hidden points. Errors: no
+/// number of rectangles fits; tells the least limit that would do.
 foundation::Result<MemoryPlan> planMemory(std::uint64_t points, const ForestOptions& options, double limitMb);
 
 } // namespace osgMultiTriangulation::core

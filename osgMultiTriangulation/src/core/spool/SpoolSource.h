@@ -17,12 +17,13 @@ namespace osgMultiTriangulation::core
 class SpoolSource : public PartSource
 {
 public:
-    /// Reads the triangles twice: the first time tells how many each part has, and which points have triangles around them in which
-    /// part. `spool` and `partition` must stay. Errors: no room on the disk.
+    /// Reads the triangles twice: the first time tells how many each part has, and which points have
+    /// triangles around them in which part. `spool` and `partition` must stay. Errors: no room on the disk.
     static foundation::Result<std::unique_ptr<SpoolSource>>
     create(const SurfaceSpool& spool, const Partition& partition, const std::filesystem::path& folder);
 
-    /// Takes the files that create() has made in the folder of a spool, whose triangles are not needed any more.
+    /// Takes the files that create() has made in the folder of a spool, whose triangles are not needed any
+    /// more.
     /// `counts`: triangles by part, from counts(). Errors: a file is missing or of another size.
     static foundation::Result<std::unique_ptr<SpoolSource>>
     open(const SurfaceSpool& spool, const Partition& partition, const std::vector<std::uint64_t>& counts);

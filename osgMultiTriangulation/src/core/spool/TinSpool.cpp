@@ -128,7 +128,8 @@ private:
         return twoHeightsAt(_name, at);
     }
 
-    /// Numbers the places that have triangles, in the order of their first points, and adds them to the spool.
+    /// Numbers the places that have triangles, in the order of their first points, and adds them to the
+    /// spool.
     foundation::Outcome numberPoints()
     {
         auto used = RecordFile<std::uint8_t>::create(_spool.folder() / "used");

@@ -44,8 +44,9 @@ foundation::Result<std::unique_ptr<InterestZone>> InterestZone::open(const MtFil
 
 std::size_t InterestZone::bytesOf(const MtEntry& tree, std::size_t fragments, std::size_t views)
 {
-    // By triangle: corners, error, two links; in each extraction its place there, and itself in a child. By fragment: itself, its floor,
-    // its point, two triangles of the drain that are roots of children; a bit in each extraction.
+    // By triangle: corners, error, two links; in each extraction its place there, and itself in a child. By
+    // fragment: itself, its floor, its point, two triangles of the drain that are roots of children; a bit in
+    // each extraction.
     const std::size_t rootPoints = tree.points - std::min(tree.points, tree.fragments);
     return (24 + 12 * views) * (tree.rootTriangles + 6 * fragments) + (55 + views) * fragments +
            24 * rootPoints + 8 * tree.rootTriangles;
@@ -56,8 +57,9 @@ std::size_t InterestZone::views() const
     return static_cast<std::size_t>(std::ranges::count_if(_extractions, [](const auto& e) { return !!e; }));
 }
 
-/// Returns the trees but the main part that an eye may want, with their distance from the nearest of these eyes, in the order in which
-/// they have the memory: a parent is no farther than its children, and has a lower number.
+/// Returns the trees but the main part that an eye may want, with their distance from the nearest of these
+/// eyes, in the order in which they have the memory: a parent is no farther than its children, and has a
+/// lower number.
 std::vector<std::pair<double, std::uint32_t>> InterestZone::inReach(std::span<const ZoneEye> eyes) const
 {
     const std::vector<MtEntry>& trees = _file.info().trees;

@@ -9,9 +9,10 @@
 namespace osgPMObjects::core
 {
 
-/// Divides the numbers 0 … count-1 into consecutive shares, calls `work(first, last, share)` for each in a thread of its own,
-/// and waits for all. Results that are joined in the order of the shares do not depend on the threads' timing.
-/// A share has at least `least` numbers, so small work stays in the calling thread. Returns the number of shares.
+/// Divides the numbers 0 … count-1 into consecutive shares, calls `work(first, last, share)` for each in a
+/// thread of its own, and waits for all. Results that are joined in the order of the shares do not depend on
+/// the threads' timing. A share has at least `least` numbers, so small work stays in the calling thread.
+/// Returns the number of shares.
 /// Errors: the first exception of a share is thrown again here, after all have ended.
 template<class Work>
 std::size_t parallelShares(std::size_t count, std::size_t least, const Work& work)

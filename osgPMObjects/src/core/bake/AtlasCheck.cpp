@@ -16,7 +16,8 @@ namespace
 {
 
 constexpr std::uint32_t kNoFace = ~0u;
-/// The least distance of a texel's centre from a triangle's sides, inwards, in texels: common sides of faces pass through centres.
+/// The least distance of a texel's centre from a triangle's sides, inwards, in texels: common sides of faces
+/// pass through centres.
 constexpr double kInside = 1e-6;
 
 /// The texels of an atlas, each with the chart that touches it and the face that contains its centre.

@@ -61,7 +61,8 @@ private:
         return length > 0.0 ? glm::dot(_areas[face], direction) / length : 1.0;
     }
 
-    /// Calls `join` for free faces around the seed, the nearest in direction first; the growth continues from accepted faces.
+    /// Calls `join` for free faces around the seed, the nearest in direction first; the growth continues from
+    /// accepted faces.
     template<class Join>
     void spread(std::uint32_t seed, const glm::dvec3& direction, const Join& join)
     {

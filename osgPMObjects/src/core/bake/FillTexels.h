@@ -8,11 +8,11 @@
 namespace osgPMObjects::core
 {
 
-/// Fills empty texels with the mean of the nearest filled ones: means of four go up a pyramid of halved images, and down
-/// again into empty texels. `isShown`: by texel, filled; the size is a power of two.
+/// Fills empty texels with the mean of the nearest filled ones: means of four go up a pyramid of halved
+/// images, and down again into empty texels. `isShown`: by texel, filled; the size is a power of two.
 /// Memory: a third more than the image. Cost: linear.
-/// Source: Gortler, Grzeszczuk, Szeliski and Cohen, *The Lumigraph* (1996), section 3.4 (pull-push). Differs: no weights, since
-/// filled texels must not change.
+/// Source: Gortler, Grzeszczuk, Szeliski and Cohen, *The Lumigraph* (1996), section 3.4 (pull-push). Differs:
+/// no weights, since filled texels must not change.
 template<std::size_t Channels>
 void fillTexels(std::vector<std::array<std::uint8_t, Channels>>& texels, std::vector<std::uint8_t> isShown,
                 std::size_t size)

@@ -19,8 +19,8 @@ inline double doubleArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dv
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Whether two triangles share more than their borders: no side of either has the other outside. An overlap thinner than
-/// `tolerance` does not count. Units: as the corners.
+/// Whether two triangles share more than their borders: no side of either has the other outside. An overlap
+/// thinner than `tolerance` does not count. Units: as the corners.
 bool overlap(const FlatTriangle& a, const FlatTriangle& b, double tolerance);
 
 /// A set of triangles in the plane that do not overlap, in a grid of squares.

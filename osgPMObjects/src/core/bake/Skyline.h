@@ -10,7 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// The outline of a chart in columns of texels, with its gutter. Units: texels, from the lower left corner of its box.
+/// The outline of a chart in columns of texels, with its gutter. Units: texels, from the lower left corner of
+/// its box.
 struct Silhouette
 {
     std::vector<int> bottom; ///< by column
@@ -18,7 +19,8 @@ struct Silhouette
     int height = 0;
 };
 
-/// Computes the silhouette of lines in the plane, enlarged by `gutter` texels on all sides. All coordinates must be at least 0.
+/// Computes the silhouette of lines in the plane, enlarged by `gutter` texels on all sides. All coordinates
+/// must be at least 0.
 Silhouette silhouetteOf(std::span<const std::array<glm::dvec2, 2>> lines, int gutter);
 
 /// The upper border of the packed charts, column by column.
@@ -27,7 +29,8 @@ class Skyline
 public:
     explicit Skyline(int size) : _heights(static_cast<std::size_t>(size), 0), _size(size) {}
 
-    /// Places a chart where its top is lowest; returns the lower left corner of its box, with x below 0 when it fits nowhere.
+    /// Places a chart where its top is lowest; returns the lower left corner of its box, with x below 0 when
+    /// it fits nowhere.
     glm::ivec2 place(const Silhouette& chart);
 
 private:

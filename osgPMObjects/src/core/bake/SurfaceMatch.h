@@ -18,19 +18,20 @@ struct MatchedPoint
     bool agrees = false;               ///< found within reach, with the wanted orientation and part
 };
 
-/// Finds the points of a full surface that correspond to points of a simplified one. A candidate face must be of the same part,
-/// or of a part without simplified faces; blended if the simplified face is; and of the same orientation, so that thin walls do not
-/// show their other side. The result is the first candidate within reach along the normal, to either side, unless another
-/// candidate is three times nearer. Without candidates it is the nearest point of the part in any orientation, or the nearest of
-/// all.
+/// Finds the points of a full surface that correspond to points of a simplified one. A candidate face must be
+/// of the same part, or of a part without simplified faces; blended if the simplified face is; and of the
+/// same orientation, so that thin walls do not show their other side. The result is the first candidate
+/// within reach along the normal, to either side, unless another candidate is three times nearer. Without
+/// candidates it is the nearest point of the part in any orientation, or the nearest of all.
 /// Threads: queries from any number at once. Cost: some microseconds a query.
-/// Source: Cignoni, Montani, Rocchini and Scopigno, *A general method for preserving attribute values on simplified meshes* (1998),
-/// section 3 (nearest point). Differs: we look along the normal first, which does not smear the flanks of protrusions.
+/// Source: Cignoni, Montani, Rocchini and Scopigno, *A general method for preserving attribute values on
+/// simplified meshes* (1998), section 3 (nearest point). Differs: we look along the normal first, which does
+/// not smear the flanks of protrusions.
 class SurfaceMatch
 {
 public:
-    /// `simplified`: made of `full`, with the same numbers of parts and materials. `reach` of 0: 1.5 times the distance of the
-    /// simplified surface's corners and face centres from the full one.
+    /// `simplified`: made of `full`, with the same numbers of parts and materials. `reach` of 0: 1.5 times
+    /// the distance of the simplified surface's corners and face centres from the full one.
     SurfaceMatch(const Mesh& full, const Mesh& simplified, double reach);
 
     /// `normal`: unit length; the orientation of the simplified surface at the point.

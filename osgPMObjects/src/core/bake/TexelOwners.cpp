@@ -15,8 +15,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The largest distance of a texel's centre from a point of the chart whose filtering reads it: half a diagonal to the texel's
-/// corner, another to the centres around it.
+/// The largest distance of a texel's centre from a point of the chart whose filtering reads it: half a
+/// diagonal to the texel's corner, another to the centres around it.
 constexpr double kReachPx = 1.5;
 constexpr double kLeastArea = 1e-12; ///< of a triangle in texels
 

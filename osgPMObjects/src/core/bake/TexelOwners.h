@@ -12,8 +12,8 @@
 namespace osgPMObjects::core
 {
 
-/// The face that each texel of an atlas shows: the face at its centre; beside a chart, within the reach of filtering, the
-/// nearest one.
+/// The face that each texel of an atlas shows: the face at its centre; beside a chart, within the reach of
+/// filtering, the nearest one.
 struct TexelOwners
 {
     static constexpr std::uint32_t kNone = ~0u;
@@ -27,7 +27,8 @@ TexelOwners texelOwners(const Mesh& mesh, const Atlas& atlas);
 /// Projects a face into the atlas. Units: texels.
 FlatTriangle inAtlas(const Mesh& mesh, const Atlas& atlas, std::uint32_t face);
 
-/// Returns the barycentric coordinates of the point of a triangle nearest to p; the triangle must have an area.
+/// Returns the barycentric coordinates of the point of a triangle nearest to p; the triangle must have an
+/// area.
 glm::dvec3 weightsAt(const FlatTriangle& triangle, const glm::dvec2& p);
 
 } // namespace osgPMObjects::core

@@ -14,10 +14,11 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Passes after which flat faces between vertices on one line are removed, not cut: each pass could cut them into faces that
-/// the next removes, without end.
+/// Passes after which flat faces between vertices on one line are removed, not cut: each pass could cut them
+/// into faces that the next removes, without end.
 constexpr int kPatientPasses = 6;
-/// Factor of the tolerance for neighbourhoods: vertices and edges within the tolerance affect each other; the rest is for rounding.
+/// Factor of the tolerance for neighbourhoods: vertices and edges within the tolerance affect each other; the
+/// rest is for rounding.
 constexpr double kReach = 2.0;
 
 void add(DuplicateFaces& sum, const DuplicateFaces& more)
@@ -50,7 +51,8 @@ struct Ground
     std::vector<std::uint32_t>& changed; ///< positions of changed faces, for the next pass
 };
 
-/// Makes one pass over all of it. Returns whether it changed anything, and for each face the number that it had or comes from.
+/// Makes one pass over all of it. Returns whether it changed anything, and for each face the number that it
+/// had or comes from.
 bool passOver(const Ground& on, double degenerateHeight, ClosedCracks& report,
               std::vector<std::uint32_t>& origins)
 {
@@ -130,7 +132,8 @@ bool begin(CrackPasses& passes, TVertexState& state)
     return true;
 }
 
-/// Makes passes in a wider excerpt, as long as none needs faces beyond it. Returns whether the last one changed anything.
+/// Makes passes in a wider excerpt, as long as none needs faces beyond it. Returns whether the last one
+/// changed anything.
 bool passesAround(const Ground& on, CrackPasses& passes, ClosedCracks& report)
 {
     const Extent extent = extentOf(on.mesh.positions);

@@ -46,8 +46,8 @@ void closeAndFollow(Mesh& mesh, CrackPasses& cracks, std::vector<std::uint32_t>&
     origins = std::move(now);
 }
 
-/// Reverses faces and splits edges. A split opens edges that may have T-vertices, and inserting those may make an edge non-manifold
-/// again.
+/// Reverses faces and splits edges. A split opens edges that may have T-vertices, and inserting those may
+/// make an edge non-manifold again.
 void orientAndSplit(Mesh& mesh, bool orient, CrackPasses& cracks, std::vector<std::uint32_t>& origins,
                     ConsolidateReport& report)
 {
@@ -82,8 +82,9 @@ bool isAnyCountWorse(const MeshCounts& now, const MeshCounts& before)
            now.degenerates > before.degenerates || now.nonManifoldEdges > before.nonManifoldEdges;
 }
 
-/// Gives the whole input back where all of its faces are back, or a count is still worse than before: among faces that cross by the thousand the searches for
-/// T-junctions are cut short, so that groups of faces cannot be compared.
+/// Gives the whole input back where all of its faces are back, or a count is still worse than before: among
+/// faces that cross by the thousand the searches for T-junctions are cut short, so that groups of faces
+/// cannot be compared.
 void giveBackWhatIsWorse(Mesh& mesh, const Mesh& input, ConsolidateReport& report)
 {
     const bool isAllBack = report.facesAsTheyWere == input.faces.size();
@@ -95,9 +96,9 @@ void giveBackWhatIsWorse(Mesh& mesh, const Mesh& input, ConsolidateReport& repor
     report.facesAsTheyWere = input.faces.size();
 }
 
-/// Closes cracks, reverses faces and splits edges. Where the passes do not come to an end, as among cards closer to each other than
-/// the tolerance, or would add too many faces, as where edges cross by the thousand, they may leave more defects than there were: such faces
-/// are put back.
+/// Closes cracks, reverses faces and splits edges. Where the passes do not come to an end, as among cards
+/// closer to each other than the tolerance, or would add too many faces, as where edges cross by the
+/// thousand, they may leave more defects than there were: such faces are put back.
 void repair(Mesh& mesh, const Mesh& input, CrackPasses& cracks, bool orient, ConsolidateReport& report)
 {
     std::vector<std::uint32_t> origins(mesh.faces.size());

@@ -11,8 +11,8 @@
 namespace osgPMObjects::core
 {
 
-/// A grid over a mesh that marks the cells near some of its edges, to find the faces that changes at those edges may
-/// affect. Memory: half a megabyte, which fits the second-level cache.
+/// A grid over a mesh that marks the cells near some of its edges, to find the faces that changes at those
+/// edges may affect. Memory: half a megabyte, which fits the second-level cache.
 class EdgeCells
 {
 public:

@@ -10,8 +10,9 @@
 namespace osgPMObjects::core
 {
 
-/// Some faces of a mesh, and all that share a position with them, as a mesh of its own that can be put back after changes.
-/// Positions, wedges and faces keep their order, so a change has the same result as in the whole mesh.
+/// Some faces of a mesh, and all that share a position with them, as a mesh of its own that can be put back
+/// after changes. Positions, wedges and faces keep their order, so a change has the same result as in the
+/// whole mesh.
 /// Invariant: an inner position has all its faces, so each edge that ends there has all its faces, too.
 class Excerpt
 {
@@ -26,8 +27,9 @@ public:
     /// By position of the excerpt: its number in the whole.
     const std::vector<std::uint32_t>& positions() const { return _positions; }
 
-    /// Replaces the faces in the whole by those of the excerpt. `origins`: for each current face of the excerpt, the number of the
-    /// original face it comes from, rising. Positions and wedges may have moved, wedges may have been added.
+    /// Replaces the faces in the whole by those of the excerpt. `origins`: for each current face of the
+    /// excerpt, the number of the original face it comes from, rising. Positions and wedges may have moved,
+    /// wedges may have been added.
     void putBack(Mesh& whole, std::span<const std::uint32_t> origins) const;
 
 private:

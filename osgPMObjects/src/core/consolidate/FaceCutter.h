@@ -25,8 +25,9 @@ struct CrowdedFace
     std::array<std::vector<OnSide>, 3> onSide; ///< in order along the side
 };
 
-/// The wedges inside edges: one for each pair of ends and position, so that faces that shared an edge share its parts.
-/// Attributes are interpolated linearly, and normals not normalised, as the rasteriser does, so the image does not change.
+/// The wedges inside edges: one for each pair of ends and position, so that faces that shared an edge share
+/// its parts. Attributes are interpolated linearly, and normals not normalised, as the rasteriser does, so
+/// the image does not change.
 class EdgeWedges
 {
 public:
@@ -38,8 +39,9 @@ private:
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::uint32_t> _known;
 };
 
-/// Cuts a face at the middle vertex of its side with most vertices, from the opposite corner, and so on until each piece is a
-/// triangle without other vertices. The pieces, otherwise like `pattern`, are appended to `into`.
+/// Cuts a face at the middle vertex of its side with most vertices, from the opposite corner, and so on until
+/// each piece is a triangle without other vertices. The pieces, otherwise like `pattern`, are appended to
+/// `into`.
 void cutFace(const CrowdedFace& face, const Face& pattern, EdgeWedges& wedges, std::vector<Face>& into);
 
 } // namespace osgPMObjects::core

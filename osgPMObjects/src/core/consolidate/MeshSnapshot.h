@@ -16,9 +16,9 @@ class MeshSnapshot
 public:
     explicit MeshSnapshot(const Mesh& mesh);
 
-    /// Returns all positions of faces around changes, sorted: around positions that moved, and faces that were replaced.
-    /// Elsewhere no face, no edge and no number of faces on an edge has changed. `origins`: by face, the number of the face that
-    /// it was or comes from, rising; empty: none has changed its number.
+    /// Returns all positions of faces around changes, sorted: around positions that moved, and faces that
+    /// were replaced. Elsewhere no face, no edge and no number of faces on an edge has changed. `origins`: by
+    /// face, the number of the face that it was or comes from, rising; empty: none has changed its number.
     std::vector<std::uint32_t> changedSince(const Mesh& mesh,
                                             std::span<const std::uint32_t> origins = {}) const;
 
@@ -30,8 +30,8 @@ private:
     std::vector<Triangle> _triangles;
 };
 
-/// Tracks the origins of faces while they are removed and cut: from construction until giveBack() their parts are their
-/// numbers. Pieces must keep the part of their face, and the order.
+/// Tracks the origins of faces while they are removed and cut: from construction until giveBack() their parts
+/// are their numbers. Pieces must keep the part of their face, and the order.
 class FaceOrigins
 {
 public:

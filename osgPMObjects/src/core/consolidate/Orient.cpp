@@ -23,10 +23,12 @@ constexpr int kRays = 48;
 constexpr double kDecided = 0.25;
 /// The most patches that are judged by rays.
 constexpr std::size_t kMostJudged = 2048;
-/// Boxes of the tree that all rays together may look at, and the most that a ray may look at on average. Where many faces coincide or
-/// cross, each ray would look at all of them. The patches of known models need up to 145 a ray; 2 048 patches may have 254 each.
+/// Boxes of the tree that all rays together may look at, and the most that a ray may look at on average.
+/// Where many faces coincide or cross, each ray would look at all of them. The patches of known models need
+/// up to 145 a ray; 2 048 patches may have 254 each.
 constexpr std::uint64_t kMostBoxes = 50'000'000, kMostBoxesARay = 1024;
-/// Least cosine between the directions from an edge into its two faces at which they fold back onto each other.
+/// Least cosine between the directions from an edge into its two faces at which they fold back onto each
+/// other.
 constexpr double kFold = 0.5;
 
 /// Two patches of opposite orientation along an edge.

@@ -17,7 +17,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The most faces of an edge that are compared pair by pair; more are paired in their order, to limit the time.
+/// The most faces of an edge that are compared pair by pair; more are paired in their order, to limit the
+/// time.
 constexpr std::size_t kMostCompared = 64;
 
 class Splitter
@@ -40,8 +41,8 @@ public:
         return _report;
     }
 
-    /// Separates pairs of faces that are still together on an edge, since they are connected around both its ends: each pair
-    /// after the first gets both ends for itself, which opens the other edges of its faces.
+    /// Separates pairs of faces that are still together on an edge, since they are connected around both its
+    /// ends: each pair after the first gets both ends for itself, which opens the other edges of its faces.
     std::size_t cutLoose()
     {
         for (std::uint32_t e = 0; e < _edges.size(); ++e)

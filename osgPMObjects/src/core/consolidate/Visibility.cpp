@@ -13,8 +13,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Returns the i-th number, 0 to 1, of an evenly spread sequence. Source: van der Corput, *Verteilungsfunktionen* (1935), base
-/// `base`.
+/// Returns the i-th number, 0 to 1, of an evenly spread sequence. Source: van der Corput,
+/// *Verteilungsfunktionen* (1935), base `base`.
 double spread(int i, int base)
 {
     double value = 0.0, digit = 1.0;
@@ -26,7 +26,8 @@ double spread(int i, int base)
     return value;
 }
 
-/// Returns a direction before a unit normal, from two numbers 0 to 1; directions near the normal are more frequent.
+/// Returns a direction before a unit normal, from two numbers 0 to 1; directions near the normal are more
+/// frequent.
 glm::dvec3 directionBefore(const glm::dvec3& normal, double u, double v)
 {
     const double radius = std::sqrt(u), angle = 6.283185307179586 * v;

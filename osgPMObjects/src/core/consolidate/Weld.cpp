@@ -13,7 +13,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Cell size in tolerances: then few search balls reach into a second cell, and hardly any cell has two remaining positions.
+/// Cell size in tolerances: then few search balls reach into a second cell, and hardly any cell has two
+/// remaining positions.
 constexpr double kCell = 16.0;
 
 } // namespace

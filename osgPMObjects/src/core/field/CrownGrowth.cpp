@@ -53,8 +53,8 @@ double areaOf(const Mesh& mesh, std::span<const Triangle> faces, const std::vect
     return 0.5 * doubled;
 }
 
-/// Returns the factor that restores kShare of the lost area. It is found by bisection, for the area of cards whose corners
-/// moved to those of others is not proportional to its square.
+/// Returns the factor that restores kShare of the lost area. It is found by bisection, for the area of cards
+/// whose corners moved to those of others is not proportional to its square.
 double scaleOf(const Mesh& mesh, std::span<const Triangle> faces, const std::vector<glm::vec3>& offsets,
                double whole)
 {

@@ -8,8 +8,8 @@
 namespace osgPMObjects::core
 {
 
-/// Advances a switch between rungs like advanceSwitch(). A morph goes from rung to rung, for each vertex has one target
-/// only, on the rung on which it vanishes; a morph over several rungs is that much faster.
+/// Advances a switch between rungs like advanceSwitch(). A morph goes from rung to rung, for each vertex has
+/// one target only, on the rung on which it vanishes; a morph over several rungs is that much faster.
 DrawnLevels advanceOnLadder(SwitchState& state, std::uint32_t wanted, float stepS, float alpha,
                             std::uint32_t number, const SwitchSettings& settings);
 

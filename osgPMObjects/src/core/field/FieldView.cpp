@@ -15,7 +15,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Returns the number of faces that show the outline of an object of this radius in pixels: one for four pixels of its disc.
+/// Returns the number of faces that show the outline of an object of this radius in pixels: one for four
+/// pixels of its disc.
 std::uint32_t facesFor(double radiusPx)
 {
     return static_cast<std::uint32_t>(std::min(0.25 * std::numbers::pi * radiusPx * radiusPx, 1e9));

@@ -23,7 +23,8 @@ struct Primitive;
 namespace osgPMObjects::core
 {
 
-/// Reads primitives of a glTF model into a mesh: triangles, strips and fans. Others are counted in the model's report.
+/// Reads primitives of a glTF model into a mesh: triangles, strips and fans. Others are counted in the
+/// model's report.
 /// Source: Khronos, *glTF 2.0 specification* (2021), section 3.7 (primitives, attributes).
 class GltfPrimitiveReader
 {
@@ -45,7 +46,8 @@ private:
         if (!_error) _error = foundation::Error{_name, place + " " + what, "export the model again"};
     }
     void readArrays(const tinygltf::Primitive& primitive, std::uint32_t part, const glm::dmat4& matrix);
-    /// Returns the values of an attribute; empty where there is none, or where the file is damaged (_error is then set).
+    /// Returns the values of an attribute; empty where there is none, or where the file is damaged (_error is
+    /// then set).
     std::optional<std::vector<glm::dvec4>> attribute(const tinygltf::Primitive& primitive,
                                                      const char* semantic);
     void countDropped(const tinygltf::Primitive& primitive);

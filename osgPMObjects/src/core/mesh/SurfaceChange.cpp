@@ -16,10 +16,12 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Samples are measured in chunks, whose results are joined in order: the sums do not depend on the number of threads.
+/// Samples are measured in chunks, whose results are joined in order: the sums do not depend on the number of
+/// threads.
 constexpr std::size_t kChunk = 1024;
-/// Triangles that may be looked at for each sample of a chunk, and for all corners and centres together, where most triangles cross the whole
-/// mesh; samples that are left then are not measured. Known models need up to 130 for a spread sample, 80 for a corner or centre.
+/// Triangles that may be looked at for each sample of a chunk, and for all corners and centres together,
+/// where most triangles cross the whole mesh; samples that are left then are not measured. Known models need
+/// up to 130 for a spread sample, 80 for a corner or centre.
 constexpr std::uint64_t kMostTrianglesASpreadSample = 160, kMostTrianglesASample = 256,
                         kMostTrianglesOfCorners = 1u << 25;
 
@@ -76,7 +78,8 @@ Sums distancesOf(const std::vector<SurfacePoint>& samples, const TriangleTree& t
     return all;
 }
 
-/// Returns the distance of a point from a surface; where that is at most `enough`, some number from it to `enough`.
+/// Returns the distance of a point from a surface; where that is at most `enough`, some number from it to
+/// `enough`.
 double distanceAbove(const glm::dvec3& point, const MeasuredSurface& surface, double enough, double most,
                      std::uint64_t& work)
 {
@@ -135,7 +138,8 @@ double largestOf(const std::vector<glm::dvec3>& points, const MeasuredSurface& s
     return atLeast;
 }
 
-/// Moves a point of a triangle to larger distances from a surface, by smaller and smaller ways, while there is work left.
+/// Moves a point of a triangle to larger distances from a surface, by smaller and smaller ways, while there
+/// is work left.
 double climbed(SurfacePoint point, double distance, const MeasuredSurface& from, const TriangleTree& to,
                std::uint64_t work)
 {

@@ -24,8 +24,9 @@ namespace
 constexpr double kEnd = 1e-4;
 /// Edges that share a limit of work, and the least number of such groups for a thread.
 constexpr std::size_t kEdgesOfAGroup = 1024, kLeastGroupsAThread = 4;
-/// Limits where the tolerance is larger than the details of the mesh: boxes and points that are looked at for each edge, and besides by a few
-/// edges near all points, together; junctions for each edge and vertex. Known models need up to 160 boxes and points an edge of a group.
+/// Limits where the tolerance is larger than the details of the mesh: boxes and points that are looked at for
+/// each edge, and besides by a few edges near all points, together; junctions for each edge and vertex. Known
+/// models need up to 160 boxes and points an edge of a group.
 constexpr std::uint64_t kMostWorkAnEdge = 256, kMostWorkOfFew = 1u << 25;
 constexpr std::size_t kMostJunctions = 4, kFewJunctions = 65536;
 
@@ -40,7 +41,8 @@ public:
 
     bool hasLength() const { return _squaredLength > 0.0; }
 
-    /// Whether a box may hold points near the edge: between the planes at its ends, and within the tolerance of its line.
+    /// Whether a box may hold points near the edge: between the planes at its ends, and within the tolerance
+    /// of its line.
     bool operator()(const Extent& box) const
     {
         constexpr double kSlack = 1e-12;
@@ -115,8 +117,8 @@ public:
         return result;
     }
 
-    /// Counts the vertices that are in some junction. A vertex that has been found is not looked for again, so this needs no
-    /// memory for junctions.
+    /// Counts the vertices that are in some junction. A vertex that has been found is not looked for again,
+    /// so this needs no memory for junctions.
     std::size_t countVertices() const
     {
         PointTree tree(_places);
@@ -144,7 +146,8 @@ private:
         std::pair<std::uint32_t, std::uint32_t> ends;
     };
 
-    /// Returns the most boxes and points to look at for some edges of as many groups; one edge may be near all points.
+    /// Returns the most boxes and points to look at for some edges of as many groups; one edge may be near
+    /// all points.
     static std::uint64_t workOf(std::size_t edges, const PointTree& tree, std::size_t groups)
     {
         return kMostWorkAnEdge * edges +
@@ -158,8 +161,8 @@ private:
         return {_positions[edge.ends.first], _positions[edge.ends.second], _tolerance};
     }
 
-    /// Gathers the open vertices by their places: those that a split of edges has made may lie a hundred deep at one, and each
-    /// search is to look at it once.
+    /// Gathers the open vertices by their places: those that a split of edges has made may lie a hundred deep
+    /// at one, and each search is to look at it once.
     void gatherPlaces(const std::vector<bool>& isOpenVertex)
     {
         const std::vector<std::uint32_t> first = firstAtPlace(_positions);
@@ -182,8 +185,8 @@ private:
                                             _firstVertex[place + 1] - _firstVertex[place]);
     }
 
-    /// Searches the edges of a group, in order. Returns whether it came to the end: its limit of work does not depend on the number
-    /// of threads.
+    /// Searches the edges of a group, in order. Returns whether it came to the end: its limit of work does
+    /// not depend on the number of threads.
     bool searchGroup(std::size_t group, const PointTree& tree, std::vector<TJunction>& found) const
     {
         const std::size_t first = group * kEdgesOfAGroup;

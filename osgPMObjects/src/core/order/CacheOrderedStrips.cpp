@@ -72,7 +72,8 @@ private:
         return static_cast<double>(misses) / static_cast<double>(size);
     }
 
-    /// Returns the best strip among those with a vertex in the queue, newest vertices first; nothing if there is none.
+    /// Returns the best strip among those with a vertex in the queue, newest vertices first; nothing if there
+    /// is none.
     std::optional<Choice> cheapest()
     {
         ++_trial;

@@ -11,7 +11,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// A spanning forest of the dual graph: triangles in the order of the search, and the triangle each was reached from.
+/// A spanning forest of the dual graph: triangles in the order of the search, and the triangle each was
+/// reached from.
 struct SpanningForest
 {
     std::vector<std::uint32_t> order, parent;
@@ -87,8 +88,8 @@ private:
 /// By triangle: the triangles before and after it on its path.
 using Links = std::vector<std::array<std::uint32_t, 2>>;
 
-/// Cuts the tree into paths, from the leaves up: each triangle joins two paths that end at its children, or extends one of
-/// them. No other cut of the tree has fewer paths.
+/// Cuts the tree into paths, from the leaves up: each triangle joins two paths that end at its children, or
+/// extends one of them. No other cut of the tree has fewer paths.
 Links pathsOf(const SpanningForest& forest)
 {
     Links links(forest.order.size(), {TriangleAdjacency::kNone, TriangleAdjacency::kNone});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breadth-first halves mended after Fiduccia & Mattheyses, "A linear-time heuristic for improving network partitions" (1982).
+// Breadth-first halves mended after Fiduccia & Mattheyses, "A linear-time heuristic for improving network
+// partitions" (1982).
 #include "GraphBisection.h"
 
 #include <algorithm>
@@ -45,8 +46,8 @@ std::size_t GraphBisection::halve(std::span<std::uint32_t> triangles)
     return static_cast<std::size_t>(second - triangles.begin());
 }
 
-/// Searches all of the set breadth first, from `first` and then from triangles not reached. Returns the last triangle of the
-/// first connected part.
+/// Searches all of the set breadth first, from `first` and then from triangles not reached. Returns the last
+/// triangle of the first connected part.
 std::uint32_t GraphBisection::search(std::span<std::uint32_t> triangles, std::uint32_t first)
 {
     ++_searches;
@@ -105,7 +106,8 @@ std::uint32_t GraphBisection::bestMove(std::size_t slack)
     return TriangleAdjacency::kNone;
 }
 
-/// Makes one pass: moves each triangle at most once, and undoes the moves after the best cut. Returns whether it is better.
+/// Makes one pass: moves each triangle at most once, and undoes the moves after the best cut. Returns whether
+/// it is better.
 bool GraphBisection::improve(std::span<const std::uint32_t> triangles, std::size_t slack)
 {
     ++_passes;

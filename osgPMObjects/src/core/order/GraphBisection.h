@@ -12,15 +12,15 @@ namespace osgPMObjects::core
 
 /// Divides sets of triangles into halves with few neighbours in different halves.
 /// Memory: 17 B a triangle of the mesh. Cost: linear in the set.
-/// Source: halves from breadth-first search, improved after Fiduccia & Mattheyses, "A linear-time heuristic for improving
-/// network partitions" (1982).
+/// Source: halves from breadth-first search, improved after Fiduccia & Mattheyses, "A linear-time heuristic
+/// for improving network partitions" (1982).
 class GraphBisection
 {
 public:
     explicit GraphBisection(const TriangleAdjacency& adjacency);
 
-    /// Sorts the triangles so that one half precedes the other; returns the size of the first half, ½ ± 1/16 of all. A half
-    /// may be halved again; sets that are halved side by side must not share triangles.
+    /// Sorts the triangles so that one half precedes the other; returns the size of the first half, ½ ± 1/16
+    /// of all. A half may be halved again; sets that are halved side by side must not share triangles.
     std::size_t halve(std::span<std::uint32_t> triangles);
 
 private:

@@ -16,8 +16,8 @@ namespace
 constexpr int kBits = 21;           ///< of each coordinate, so that three make a key of 63 bits
 constexpr double kFlatShare = 1e-3; ///< share of the largest extent below which an axis counts as flat
 
-/// Returns the position of a cell along the curve; its coordinates have kBits each. From the highest bit down it rotates the
-/// coordinates into the curve's local frame; the result is a Gray code, which is decoded.
+/// Returns the position of a cell along the curve; its coordinates have kBits each. From the highest bit down
+/// it rotates the coordinates into the curve's local frame; the result is a Gray code, which is decoded.
 std::uint64_t alongCurve(std::array<std::uint32_t, 3> x, int dimensions)
 {
     for (std::uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1)

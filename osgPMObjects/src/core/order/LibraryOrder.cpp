@@ -12,11 +12,12 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The limit of triangles at a vertex: at each step the library tests all triangles left at each vertex of its cache.
+/// The limit of triangles at a vertex: at each step the library tests all triangles left at each vertex of
+/// its cache.
 constexpr std::uint32_t kMostAtAVertex = 10'000;
 
-/// Returns for each triangle of `made` its number in `given`, which has the same triangles, corner by corner. Equal triangles
-/// keep their order. Cost: linear in the triangles times those with one first corner.
+/// Returns for each triangle of `made` its number in `given`, which has the same triangles, corner by corner.
+/// Equal triangles keep their order. Cost: linear in the triangles times those with one first corner.
 std::vector<std::uint32_t> numbersOfTriangles(std::span<const Triangle> given, std::span<const Triangle> made,
                                               std::uint32_t vertexCount)
 {

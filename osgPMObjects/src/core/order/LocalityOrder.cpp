@@ -17,8 +17,9 @@ using Entry = StripGrowth::Entry;
 
 /// The completionCost() of a triangle without a vertex in the queue.
 constexpr int kLost = 12;
-/// The trials: strips from this share of the queue's size to twice the size, in steps of two triangles; each trial
-/// draws this many times the longest strip. Shorter strips have good costs at first, but leave ragged borders.
+/// The trials: strips from this share of the queue's size to twice the size, in steps of two triangles; each
+/// trial draws this many times the longest strip. Shorter strips have good costs at first, but leave ragged
+/// borders.
 constexpr double kShortest = 0.375;
 constexpr std::size_t kTrialLengths = 4;
 /// Between full searches, lengths are tried that differ from the latest by so many triangles at most.
@@ -46,8 +47,8 @@ public:
     }
 
 private:
-    /// Returns the triangle at a vertex of the queue that needs the fewest other vertices; a tie goes to the one with the
-    /// fewest neighbours left, which would otherwise become a hole.
+    /// Returns the triangle at a vertex of the queue that needs the fewest other vertices; a tie goes to the
+    /// one with the fewest neighbours left, which would otherwise become a hole.
     Entry cheapestAtQueue()
     {
         const std::vector<std::uint32_t>& order = _growth.order();
@@ -69,7 +70,8 @@ private:
         return {best, best == StripGrowth::kNone ? 0 : _growth.borderEdge(best)};
     }
 
-    /// Returns where to go on: beside a strip, ahead of one, at a vertex in the queue, or at the first triangle left.
+    /// Returns where to go on: beside a strip, ahead of one, at a vertex in the queue, or at the first
+    /// triangle left.
     Entry restart()
     {
         const Entry beside = _growth.nextBeside();

@@ -65,9 +65,9 @@ private:
         if (const Start start = startAt(t); start.degree > 0) _starts.push(start);
     }
 
-    /// Extends a strip from `t` through `edge` as far as triangles are new. The path through a triangle with an even number
-    /// goes from one edge to the next, with an odd number to the one before; backwards it is the opposite. So `step` changes
-    /// with each triangle in either direction.
+    /// Extends a strip from `t` through `edge` as far as triangles are new. The path through a triangle with
+    /// an even number goes from one edge to the next, with an odd number to the one before; backwards it is
+    /// the opposite. So `step` changes with each triangle in either direction.
     void extend(std::uint32_t t, int edge, int step, std::vector<std::uint32_t>& row)
     {
         for (std::uint32_t next = _adjacency.across(t, edge);

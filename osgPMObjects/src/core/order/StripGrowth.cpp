@@ -44,7 +44,8 @@ void StripGrowth::undraw(std::uint32_t t)
         ++_openNeighbours[n];
 }
 
-/// Draws neighbours that have no other neighbour left: as holes they would need their vertices transformed again later.
+/// Draws neighbours that have no other neighbour left: as holes they would need their vertices transformed
+/// again later.
 void StripGrowth::fillHoles(std::uint32_t t)
 {
     for (const std::uint32_t n : _neighbours[t])

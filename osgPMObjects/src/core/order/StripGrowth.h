@@ -15,13 +15,15 @@
 namespace osgPMObjects::core
 {
 
-/// Lays strips side by side over a mesh and counts what they cost a queue of vertices. See localityOrder() for the source.
+/// Lays strips side by side over a mesh and counts what they cost a queue of vertices. See localityOrder()
+/// for the source.
 class StripGrowth
 {
 public:
     static constexpr std::uint32_t kNone = TriangleAdjacency::kNone;
 
-    /// A triangle at which a strip may begin, the edge through which it enters, and whether a strip lies to its right.
+    /// A triangle at which a strip may begin, the edge through which it enters, and whether a strip lies to
+    /// its right.
     struct Entry
     {
         std::uint32_t triangle;
@@ -31,22 +33,25 @@ public:
 
     StripGrowth(std::span<const Triangle> triangles, std::uint32_t vertexCount, std::uint32_t cacheSize);
 
-    /// Draws a strip of at most `length` triangles. Beside another strip it keeps to its right, else it goes straight
-    /// on. The triangles on its left become the next entries; those ahead and on its right are kept for later.
+    /// Draws a strip of at most `length` triangles. Beside another strip it keeps to its right, else it goes
+    /// straight on. The triangles on its left become the next entries; those ahead and on its right are kept
+    /// for later.
     void grow(const Entry& start, std::size_t length);
 
-    /// Returns the transformed vertices a triangle if this strip and the strips beside it have this length, by a trial over
-    /// `triangles` triangles, which is undone. A trial that transforms more than `most` · `triangles` vertices ends there and
-    /// returns `most`.
+    /// Returns the transformed vertices a triangle if this strip and the strips beside it have this length,
+    /// by a trial over `triangles` triangles, which is undone. A trial that transforms more than `most` ·
+    /// `triangles` vertices ends there and returns `most`.
     double costOf(const Entry& start, std::size_t length, std::size_t triangles, double most);
 
-    /// Returns the first entry beside the latest strip that has one; it skips the oldest `kept` strips. kNone: none is left.
+    /// Returns the first entry beside the latest strip that has one; it skips the oldest `kept` strips.
+    /// kNone: none is left.
     Entry nextBeside(std::size_t kept = 0);
     /// Returns the latest entry ahead of a strip; kNone: none is left.
     Entry nextAhead();
     void pushAhead(const Entry& entry) { _ahead.push_back(entry); }
 
-    /// Returns the cost of drawing a triangle: four for each vertex outside the queue, one for each neighbour not yet drawn.
+    /// Returns the cost of drawing a triangle: four for each vertex outside the queue, one for each neighbour
+    /// not yet drawn.
     int completionCost(std::uint32_t triangle) const
     {
         return 4 * missesOf(triangle) + _openNeighbours[triangle];

@@ -10,8 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// A queue of vertices (foundation::FifoCache) that can undo what was drawn since beginTrial(). Misses are counted in 32 bits,
-/// which suffices for 10^9 triangles and halves the memory that trials touch.
+/// A queue of vertices (foundation::FifoCache) that can undo what was drawn since beginTrial(). Misses are
+/// counted in 32 bits, which suffices for 10^9 triangles and halves the memory that trials touch.
 class TrialCache
 {
 public:

@@ -32,7 +32,8 @@ bool has(const Triangle& t, std::uint32_t vertex)
     return t[0] == vertex || t[1] == vertex || t[2] == vertex;
 }
 
-/// Returns the corner of `t` that is not on its edge with `next`; `next` runs through that edge in the opposite direction.
+/// Returns the corner of `t` that is not on its edge with `next`; `next` runs through that edge in the
+/// opposite direction.
 int cornerOffEdge(const Triangle& t, const Triangle& next)
 {
     for (int i = 0; i < 3; ++i)
@@ -41,8 +42,8 @@ int cornerOffEdge(const Triangle& t, const Triangle& next)
     return 0;
 }
 
-/// Returns the vertices of a strip's first triangle, those of the edge to the next triangle last. If the third triangle
-/// needs it, these two are swapped and the first vertex is doubled.
+/// Returns the vertices of a strip's first triangle, those of the edge to the next triangle last. If the
+/// third triangle needs it, these two are swapped and the first vertex is doubled.
 std::vector<std::uint32_t> beginning(std::span<const Triangle> triangles,
                                      std::span<const std::uint32_t> strip)
 {

@@ -56,7 +56,8 @@ private:
         return label(range, range.end - first);
     }
 
-    /// Returns the neighbours that are drawn before the range minus those drawn after it; its halves have no order yet.
+    /// Returns the neighbours that are drawn before the range minus those drawn after it; its halves have no
+    /// order yet.
     std::ptrdiff_t pull(std::span<const std::uint32_t> half, const Range& range) const
     {
         std::ptrdiff_t sum = 0;

@@ -35,8 +35,8 @@ public:
         return std::span(_triangles).subspan(_first[vertex], _first[vertex + 1] - _first[vertex]);
     }
 
-    /// Returns the next few triangles at a vertex, from the first one for which `isDone` is false. A vertex with
-    /// thousands of triangles thus need not pass the done ones each time. What is done must stay done.
+    /// Returns the next few triangles at a vertex, from the first one for which `isDone` is false. A vertex
+    /// with thousands of triangles thus need not pass the done ones each time. What is done must stay done.
     template<class IsDone>
     std::span<const std::uint32_t> nextAt(std::uint32_t vertex, IsDone isDone)
     {

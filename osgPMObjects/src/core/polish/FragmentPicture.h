@@ -20,10 +20,12 @@ struct FaceMarks
     bool has(std::uint32_t face) const { return marks[face] == current; }
 };
 
-/// The luminance image of a model in one view, with all hidden layers: each pixel has a list of fragments of all faces over its
-/// centre, so a face can be removed without drawing the others. Transparent faces cover every other pixel (screen-door).
+/// The luminance image of a model in one view, with all hidden layers: each pixel has a list of fragments of
+/// all faces over its centre, so a face can be removed without drawing the others. Transparent faces cover
+/// every other pixel (screen-door).
 /// Invariant: a pixel has the luminance of its nearest fragment, or the background's.
-/// Source: Carpenter, *The A-buffer, an antialiased hidden surface method* (1984), lists of fragments; without subpixel masks.
+/// Source: Carpenter, *The A-buffer, an antialiased hidden surface method* (1984), lists of fragments;
+/// without subpixel masks.
 /// Memory: 16 B a fragment, 24 B a pixel.
 class FragmentPicture
 {

@@ -14,10 +14,10 @@ namespace osgPMObjects::core
 {
 
 /// Collapses a level to fewer faces, by the collapse that changes the images least.
-/// Candidates of a position are its collapses of least quadric cost. Those around a collapse are re-evaluated when they come
-/// first in the queue; those before or behind it in some view keep their cost.
-/// Source: Lindstrom and Turk, *Image-driven simplification* (2000); Cohen, Manocha and Olano, *Simplifying polygonal models using
-/// successive mappings* (1997), section 5 (lazy queue).
+/// Candidates of a position are its collapses of least quadric cost. Those around a collapse are re-evaluated
+/// when they come first in the queue; those before or behind it in some view keep their cost.
+/// Source: Lindstrom and Turk, *Image-driven simplification* (2000); Cohen, Manocha and Olano, *Simplifying
+/// polygonal models using successive mappings* (1997), section 5 (lazy queue).
 class ImageCollapser
 {
 public:

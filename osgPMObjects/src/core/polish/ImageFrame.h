@@ -11,8 +11,8 @@ namespace osgPMObjects::core
 {
 
 /// The frame in which images of a mesh are drawn: its box has diagonal 1 and its middle at the origin.
-/// Positions may leave the box, and are divided where UnitFrame multiplies: the choice among equal collapses depends on the last
-/// bit.
+/// Positions may leave the box, and are divided where UnitFrame multiplies: the choice among equal collapses
+/// depends on the last bit.
 struct ImageFrame
 {
     glm::dvec3 middle{0.0}; ///< in the mesh's frame

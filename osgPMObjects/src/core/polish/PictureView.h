@@ -25,7 +25,8 @@ inline PictureView viewFrom(const glm::dvec3& towardsEye)
     return {right, glm::cross(towardsEye, right), towardsEye};
 }
 
-/// Returns directions all around, from above to below, about evenly spaced: each turned by the golden angle from the one before.
+/// Returns directions all around, from above to below, about evenly spaced: each turned by the golden angle
+/// from the one before.
 /// Source: Swinbank and Purser, *Fibonacci grids: a novel approach to global modelling* (2006).
 inline std::vector<PictureView> viewsAround(int count)
 {

@@ -10,8 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// Moves positions of a level back and forth by decreasing distances, as long as the images improve. Attributes of their wedges
-/// stay. No face turns over, and no position leaves the box.
+/// Moves positions of a level back and forth by decreasing distances, as long as the images improve.
+/// Attributes of their wedges stay. No face turns over, and no position leaves the box.
 class PlaceMover
 {
 public:

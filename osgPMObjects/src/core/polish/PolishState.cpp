@@ -26,8 +26,8 @@ PictureRing ringFor(const Mesh& original, const Mesh& level, std::span<const See
     return ring;
 }
 
-/// Returns the weight of quadric costs: a displacement in pixels, squared, times the area displaced. The small factor is since a
-/// surface displaced by a pixel is visible at its outline only, in few views.
+/// Returns the weight of quadric costs: a displacement in pixels, squared, times the area displaced. The
+/// small factor is since a surface displaced by a pixel is visible at its outline only, in few views.
 double shapeScaleFor(const PolishSettings& settings)
 {
     constexpr double kSeen = 1e-3;

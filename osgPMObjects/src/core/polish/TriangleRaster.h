@@ -11,9 +11,10 @@
 namespace osgPMObjects::core
 {
 
-/// Calls `visit(pixel, shares)` for the pixels whose centres a triangle covers, edges included; pixels are numbered row by row,
-/// `shares` are barycentric coordinates. x and y of the corners are in pixels; z is ignored. A triangle without area covers
-/// nothing. Equal triangles cover equal pixels. Cost: linear in rows and pixels.
+/// Calls `visit(pixel, shares)` for the pixels whose centres a triangle covers, edges included; pixels are
+/// numbered row by row, `shares` are barycentric coordinates. x and y of the corners are in pixels; z is
+/// ignored. A triangle without area covers nothing. Equal triangles cover equal pixels. Cost: linear in rows
+/// and pixels.
 template<class Visit>
 void rasterise(const std::array<glm::dvec3, 3>& corners, int sizePx, const Visit& visit)
 {

@@ -39,8 +39,8 @@ protected:
 namespace
 {
 
-/// Returns the number of steps after which a face has vanished: a corner is lost, or two corners have one position. One more
-/// than the number of all steps: never.
+/// Returns the number of steps after which a face has vanished: a corner is lost, or two corners have one
+/// position. One more than the number of all steps: never.
 std::uint32_t endOf(const ProgressiveMesh& progressive, Triangle face)
 {
     const auto& positions = progressive.mesh.wedgePositions;
@@ -84,9 +84,9 @@ public:
         moveTo(0);
     }
 
-    /// Vanished faces are written, too, and the next face overwrites them: a branch could not be predicted. Three plain
-    /// stores are used, for one combined word would make each face wait for the one before, which takes half as long
-    /// again.
+    /// Vanished faces are written, too, and the next face overwrites them: a branch could not be predicted.
+    /// Three plain stores are used, for one combined word would make each face wait for the one before, which
+    /// takes half as long again.
     void moveTo(std::uint32_t steps) override
     {
         findWedges(_progressive.wedgesAfter(steps));

@@ -14,7 +14,8 @@
 namespace osgPMObjects::core
 {
 
-/// The interface of arrangements: it decides in which slot of the index buffer each face lies, at every level.
+/// The interface of arrangements: it decides in which slot of the index buffer each face lies, at every
+/// level.
 class FaceArrangement
 {
 public:
@@ -27,19 +28,22 @@ public:
     virtual void afterStep(const LevelWalk& walk, SlotTable& slots) = 0;
 };
 
-/// Makes Arrangement::plain: faces lie in the order of their vanishing, latest first, so that nothing ever moves.
+/// Makes Arrangement::plain: faces lie in the order of their vanishing, latest first, so that nothing ever
+/// moves.
 std::unique_ptr<FaceArrangement> plainArrangement();
 
-/// Makes Arrangement::tswap: the last face fills each hole; whenever a share of the faces has vanished, cycles of moves
-/// bring the others into the greedy order (GreedyOrder.h).
+/// Makes Arrangement::tswap: the last face fills each hole; whenever a share of the faces has vanished,
+/// cycles of moves bring the others into the greedy order (GreedyOrder.h).
 /// Source: *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 5.
 std::unique_ptr<FaceArrangement> tswapArrangement(const ArrangementSettings& settings);
 
-/// Makes Arrangement::blocks: the last face of a block fills its holes, and two neighbouring blocks that fit into one merge.
+/// Makes Arrangement::blocks: the last face of a block fills its holes, and two neighbouring blocks that fit
+/// into one merge.
 std::unique_ptr<FaceArrangement> blockArrangement(const ArrangementSettings& settings);
 
-/// Makes Arrangement::windows: holes stay until some neighbouring blocks fit into one block less. Then their faces are
-/// reordered to cost least until the next time. A hole is drawn as a triangle without area at the vertex drawn just before.
+/// Makes Arrangement::windows: holes stay until some neighbouring blocks fit into one block less. Then their
+/// faces are reordered to cost least until the next time. A hole is drawn as a triangle without area at the
+/// vertex drawn just before.
 std::unique_ptr<FaceArrangement> windowArrangement(const ArrangementSettings& settings);
 
 std::unique_ptr<FaceArrangement> makeArrangement(const ArrangementSettings& settings);
@@ -47,7 +51,8 @@ std::unique_ptr<FaceArrangement> makeArrangement(const ArrangementSettings& sett
 /// Returns the faces of each material at the walk's level, ascending.
 std::vector<std::vector<std::uint32_t>> liveFacesByMaterial(const LevelWalk& walk);
 
-/// Orders a few faces of many. It numbers their wedges from 0 in order of use, so the time does not depend on the others.
+/// Orders a few faces of many. It numbers their wedges from 0 in order of use, so the time does not depend on
+/// the others.
 class LocalNumbers
 {
 public:

@@ -14,8 +14,9 @@
 namespace osgPMObjects::core
 {
 
-/// Some faces at the present level of a walk and at a few levels to come. It tells what an order of these faces costs a vertex
-/// cache until they are reordered. Wedges are numbered from 0 in order of use, so the time does not depend on other faces.
+/// Some faces at the present level of a walk and at a few levels to come. It tells what an order of these
+/// faces costs a vertex cache until they are reordered. Wedges are numbered from 0 in order of use, so the
+/// time does not depend on other faces.
 /// Memory: 4 B a wedge of the mesh, 60 B a face taken. Cost: linear in the faces taken.
 class FutureLevels
 {
@@ -24,7 +25,8 @@ public:
 
     FutureLevels(const LevelWalk& walk, std::uint32_t cacheSize);
 
-    /// Takes other faces, all live at the walk's level. `shareGone`: the share of them that vanishes until the last level.
+    /// Takes other faces, all live at the walk's level. `shareGone`: the share of them that vanishes until
+    /// the last level.
     void take(std::span<const std::uint32_t> faces, double shareGone);
 
     /// Returns the triangles of the faces at the present level.
@@ -35,7 +37,8 @@ public:
     bool isLive(std::size_t level, std::uint32_t face) const { return _levels[level][face][0] != kNone; }
     const Triangle& triangle(std::size_t level, std::uint32_t face) const { return _levels[level][face]; }
 
-    /// Returns the wedges that are transformed at all levels, when the faces are drawn in this order of their numbers.
+    /// Returns the wedges that are transformed at all levels, when the faces are drawn in this order of their
+    /// numbers.
     std::uint64_t costOf(std::span<const std::uint32_t> order);
 
 private:

@@ -60,7 +60,8 @@ private:
         }
     };
 
-    /// Calls visit(triangle) for each triangle that has this position already or a vertex in the cache; some twice.
+    /// Calls visit(triangle) for each triangle that has this position already or a vertex in the cache; some
+    /// twice.
     template<class Visit>
     void visitCandidates(std::uint32_t position, const Visit& visit) const
     {

@@ -233,7 +233,8 @@ private:
         return slots;
     }
 
-    /// Undoes the rearrangements. Their bytes follow the lists of slots, which refer to the slots before them.
+    /// Undoes the rearrangements. Their bytes follow the lists of slots, which refer to the slots before
+    /// them.
     Slots backRearrangements(ByteReader in, const StepHead& head, Slots slots)
     {
         SlotLists lists(in, _widths.slot);

@@ -11,9 +11,10 @@
 namespace osgPMObjects::core
 {
 
-/// Walks from the finest level to the coarsest, one step at a time, and holds the faces of the current level. Faces keep
-/// their numbers.
-/// Memory: 12 B a face, 24 B a wedge, and lists of the faces around each wedge. Cost of a step: the faces around its wedges.
+/// Walks from the finest level to the coarsest, one step at a time, and holds the faces of the current level.
+/// Faces keep their numbers.
+/// Memory: 12 B a face, 24 B a wedge, and lists of the faces around each wedge. Cost of a step: the faces
+/// around its wedges.
 class LevelWalk
 {
 public:

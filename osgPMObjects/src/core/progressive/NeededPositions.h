@@ -9,14 +9,16 @@
 namespace osgPMObjects::core
 {
 
-/// Tells which positions of the coarsest level the faces of other levels need. A position that no step removes is in every level, but
-/// the faces that use it may all have vanished, as those of most leaves of a tree.
+/// Tells which positions of the coarsest level the faces of other levels need. A position that no step
+/// removes is in every level, but the faces that use it may all have vanished, as those of most leaves of a
+/// tree.
 class NeededPositions
 {
 public:
     explicit NeededPositions(const ProgressiveMesh& progressive);
 
-    /// Marks what the faces need that the level after `steps` steps has, there and at all coarser levels. Call it with falling numbers.
+    /// Marks what the faces need that the level after `steps` steps has, there and at all coarser levels.
+    /// Call it with falling numbers.
     /// Cost: linear in the faces of the level.
     void addLevel(std::uint32_t steps);
 

@@ -107,8 +107,8 @@ private:
                _totalPositions <= _totalWedges && _mesh.slotCount <= mostSlots();
     }
 
-    /// Returns an upper limit of slots for the size of the file. They are announced before their faces are read; a larger
-    /// number is damage, and memory for it must not be requested.
+    /// Returns an upper limit of slots for the size of the file. They are announced before their faces are
+    /// read; a larger number is damage, and memory for it must not be requested.
     std::uint64_t mostSlots() const
     {
         constexpr std::uint64_t kFew = 1u << 20, kMany = 1u << 24, kOfByte = 64;
@@ -197,7 +197,8 @@ private:
         return in.isGood() && in.isAtEnd() && areMeasured(_ladder) && _ladder.back().steps <= _totalSteps;
     }
 
-    /// Returns the ladder of the levels from `first` on. The first of them has the error of the next coarser measured level.
+    /// Returns the ladder of the levels from `first` on. The first of them has the error of the next coarser
+    /// measured level.
     std::vector<MeasuredLevel> ladderFrom(std::uint32_t first) const
     {
         std::vector<MeasuredLevel> ladder;
@@ -237,7 +238,8 @@ private:
         return in.isGood() && mesh.wedgeCount() <= _totalWedges;
     }
 
-    /// Makes positions whose vertices follow later; until then they lie in the middle of the box, where no face uses them.
+    /// Makes positions whose vertices follow later; until then they lie in the middle of the box, where no
+    /// face uses them.
     bool skipRun(std::uint32_t code, std::size_t end)
     {
         Mesh& mesh = _mesh.mesh;

@@ -25,8 +25,8 @@ foundation::Error PmSectionStream::damaged(const std::string& what) const
     return {_place + ": at byte " + std::to_string(_at), what, "build the file again from its model"};
 }
 
-/// Reads `count` bytes, or fewer at the end of the stream. It reads in pieces, so that a damaged length cannot ask for all
-/// memory.
+/// Reads `count` bytes, or fewer at the end of the stream. It reads in pieces, so that a damaged length
+/// cannot ask for all memory.
 std::string PmSectionStream::take(std::uint64_t count)
 {
     constexpr std::uint64_t kPiece = 1 << 20;

@@ -13,15 +13,15 @@
 namespace osgPMObjects::core
 {
 
-/// The format of a `.pm` file: kPmMagic, a version, then sections. A section has four letters, its size in bytes, its
-/// contents and a check sum (CRC-32) of all that. Numbers have their lowest byte first. docs/reference/pm-file.md
-/// describes the sections.
+/// The format of a `.pm` file: kPmMagic, a version, then sections. A section has four letters, its size in
+/// bytes, its contents and a check sum (CRC-32) of all that. Numbers have their lowest byte first.
+/// docs/reference/pm-file.md describes the sections.
 constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // a transfer as text would change it
 constexpr std::uint32_t kPmVersion =
     2; ///< version 1 had no images, and all positions of the coarsest level in BASE
 
-/// A run of positions in BASE whose vertices follow later, instead of the count of a position's wedges: this bit, the wedges of each
-/// position, the number of positions.
+/// A run of positions in BASE whose vertices follow later, instead of the count of a position's wedges: this
+/// bit, the wedges of each position, the number of positions.
 constexpr std::uint32_t kPmLater = 0x80000000, kPmLaterWedgesShift = 16, kPmLaterMostWedges = 0x7fff,
                         kPmLaterMostPositions = 0xffff;
 

@@ -31,7 +31,8 @@ double signOf(double value)
     return value < 0.0 ? -1.0 : 1.0;
 }
 
-/// Encodes a direction on the octahedron |x| + |y| + |z| = 1, its lower half folded outwards; nothing for a zero vector.
+/// Encodes a direction on the octahedron |x| + |y| + |z| = 1, its lower half folded outwards; nothing for a
+/// zero vector.
 /// Source: Meyer et al., "On floating-point normal vectors" (2010), §3.
 glm::dvec2 ontoOctahedron(const glm::dvec3& n)
 {

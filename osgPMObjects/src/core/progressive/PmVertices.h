@@ -11,7 +11,8 @@
 namespace osgPMObjects::core
 {
 
-/// The form in which a file keeps vertices: which arrays there are (PmFlag), and the ranges of quantised values.
+/// The form in which a file keeps vertices: which arrays there are (PmFlag), and the ranges of quantised
+/// values.
 class PmVertices
 {
 public:

@@ -14,7 +14,8 @@
 namespace osgPMObjects::core
 {
 
-/// Plays the rearrangements that appendRecord() wrote, forth and back; returns how many faces changed their slots.
+/// Plays the rearrangements that appendRecord() wrote, forth and back; returns how many faces changed their
+/// slots.
 template<class Index>
 class RearrangementReader
 {

@@ -8,8 +8,8 @@
 namespace osgPMObjects::core
 {
 
-/// A block of consecutive slots of an index buffer. It is drawn from its first slot to its *extent*; the slots behind are
-/// unused. A face that vanishes leaves a hole; a rearrangement closes holes.
+/// A block of consecutive slots of an index buffer. It is drawn from its first slot to its *extent*; the
+/// slots behind are unused. A face that vanishes leaves a hole; a rearrangement closes holes.
 struct SlotBlock
 {
     std::uint32_t group = 0; ///< of faces with one material
@@ -19,9 +19,10 @@ struct SlotBlock
     std::uint32_t live = 0;
 };
 
-/// A change of the slots of faces. A *chain* (the tswap of Graphicon 2003) moves the face in slots[i + 1] to slots[i]; the
-/// first slot is a hole before, the last one is unused afterwards, and the extent of its block shrinks by one. A *rewrite*
-/// fills blocks, one after the other, with the faces of `slots`; their other slots were holes.
+/// A change of the slots of faces. A *chain* (the tswap of Graphicon 2003) moves the face in slots[i + 1] to
+/// slots[i]; the first slot is a hole before, the last one is unused afterwards, and the extent of its block
+/// shrinks by one. A *rewrite* fills blocks, one after the other, with the faces of `slots`; their other
+/// slots were holes.
 struct Rearrangement
 {
     bool isChain = false;
@@ -56,7 +57,8 @@ public:
     } ///< of a face that has not vanished
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(_faceAt.size()); }
 
-    /// Returns the next block of the same group with faces, before (-1) or after (+1) a block; kNone if there is none.
+    /// Returns the next block of the same group with faces, before (-1) or after (+1) a block; kNone if there
+    /// is none.
     std::uint32_t liveNeighbour(std::uint32_t block, int direction) const;
 
     /// Returns the blocks that lost faces since takeRearrangements(), each once.

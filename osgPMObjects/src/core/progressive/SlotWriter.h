@@ -10,26 +10,27 @@
 namespace osgPMObjects::core
 {
 
-/// Writes slots of an index buffer. A *hole* holds one index three times: the last index of the slot before it, a vertex that was
-/// just drawn, or 0 if that slot is unused. So slots depend only on which of them are holes.
-/// Holes are brought up to date by refreshHoles(), some hundred together: the writer only notes slots whose predecessor
-/// has changed. Whether a hole follows cannot be predicted, and a mispredicted branch takes as long as a face; a pass over a
-/// list needs none.
-/// The writer is a view of pointers; keep it in a local variable whose address nobody takes, for the compiler would read
-/// members again after each byte that is written.
+/// Writes slots of an index buffer. A *hole* holds one index three times: the last index of the slot before
+/// it, a vertex that was just drawn, or 0 if that slot is unused. So slots depend only on which of them are
+/// holes. Holes are brought up to date by refreshHoles(), some hundred together: the writer only notes slots
+/// whose predecessor has changed. Whether a hole follows cannot be predicted, and a mispredicted branch takes
+/// as long as a face; a pass over a list needs none. The writer is a view of pointers; keep it in a local
+/// variable whose address nobody takes, for the compiler would read members again after each byte that is
+/// written.
 template<class Index>
 class SlotWriter
 {
 public:
     using Slot = std::array<Index, 3>;
-    /// What unused slots hold: two different corners, which is no hole; the last is what a hole behind repeats.
+    /// What unused slots hold: two different corners, which is no hole; the last is what a hole behind
+    /// repeats.
     static constexpr Slot kUnused{std::numeric_limits<Index>::max(), 0, 0};
 
     /// The number of slots in a page. Changes are recorded by page, the least that is worth a transfer.
     static constexpr std::uint32_t kPage = 64;
 
-    /// One slot before the first and two behind the last must exist and be unused. `isChanged`: by page. `notes`: room for what
-    /// is noted between two calls of refreshHoles().
+    /// One slot before the first and two behind the last must exist and be unused. `isChanged`: by page.
+    /// `notes`: room for what is noted between two calls of refreshHoles().
     SlotWriter(Slot* slots, char* isChanged, std::uint32_t* notes)
         : _slots(slots), _isChanged(isChanged), _notes(notes), _endOfNotes(notes)
     {
@@ -44,8 +45,9 @@ public:
         note(slot + 1);
     }
 
-    /// Puts a face that has the wedge `other` at two corners, or one of them and two others. The corners are written where they
-    /// belong: put together in a local array, they would be read before they have left the processor's store queue.
+    /// Puts a face that has the wedge `other` at two corners, or one of them and two others. The corners are
+    /// written where they belong: put together in a local array, they would be read before they have left the
+    /// processor's store queue.
     void put(std::uint32_t slot, Index other, std::uint32_t firstCorner, Index first,
              std::uint32_t secondCorner, Index second)
     {
@@ -86,8 +88,8 @@ public:
     void note(std::uint32_t slot) { *_endOfNotes++ = slot; }
     std::size_t noted() const { return static_cast<std::size_t>(_endOfNotes - _notes); }
 
-    /// Updates the holes behind all changes, and forgets the notes. Each pass writes the holes that are listed and lists those
-    /// behind them, so that a run of holes takes as many passes as it has holes.
+    /// Updates the holes behind all changes, and forgets the notes. Each pass writes the holes that are
+    /// listed and lists those behind them, so that a run of holes takes as many passes as it has holes.
     void refreshHoles()
     {
         Slot* const slots = _slots;

@@ -58,7 +58,8 @@ std::vector<std::size_t> stepsThatTake(const CollapseSequence& sequence, const I
     return steps;
 }
 
-/// Returns the positions in use in split order: first those that no step removes, then the others, the first removed last.
+/// Returns the positions in use in split order: first those that no step removes, then the others, the first
+/// removed last.
 std::vector<std::uint32_t> positionsInOrder(const CollapseSequence& sequence,
                                             const std::vector<std::size_t>& steps, const InUse& inUse)
 {

@@ -10,11 +10,12 @@
 namespace osgPMObjects::core
 {
 
-/// A mesh in split order: positions and wedges stand in the order in which vertex splits bring them back. Each step removes
-/// the last position left and its wedges, which are the last wedges; `parents` gives the lower wedge that replaces each.
-/// Positions and wedges that no face uses, and faces that use a position twice, are left out.
-/// Source: *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 4; Forsyth, "Comparison of VIPM
-/// methods" (2001).
+/// A mesh in split order: positions and wedges stand in the order in which vertex splits bring them back.
+/// Each step removes the last position left and its wedges, which are the last wedges; `parents` gives the
+/// lower wedge that replaces each. Positions and wedges that no face uses, and faces that use a position
+/// twice, are left out.
+/// Source: *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 4; Forsyth,
+/// "Comparison of VIPM methods" (2001).
 struct SplitOrder
 {
     Mesh mesh;

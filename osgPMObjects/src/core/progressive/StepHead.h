@@ -18,8 +18,8 @@ struct StepHead
     bool severalGo = false;
     ByteReader counts{nullptr}; ///< of patched faces by wedge, if several are removed
 
-    /// Tells from the first byte whether a step is *plain*: one wedge goes, 1 to 14 faces are patched, at most two vanish, none
-    /// moves. Most steps are, and what has to be asked for others is known for them.
+    /// Tells from the first byte whether a step is *plain*: one wedge goes, 1 to 14 faces are patched, at
+    /// most two vanish, none moves. Most steps are, and what has to be asked for others is known for them.
     static bool isPlain(std::byte first)
     {
         const auto head = static_cast<std::uint32_t>(first);

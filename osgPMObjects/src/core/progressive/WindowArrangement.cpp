@@ -48,8 +48,8 @@ public:
     }
 
 private:
-    /// Returns the faces of a block in a group of some faces. Vertices on the border of a window are transformed once more, so
-    /// large windows are better, but with few windows many holes are drawn.
+    /// Returns the faces of a block in a group of some faces. Vertices on the border of a window are
+    /// transformed once more, so large windows are better, but with few windows many holes are drawn.
     std::uint32_t blockFacesOf(std::size_t faces) const
     {
         constexpr std::size_t kBlocks = 20, kLeastFaces = 1024, kMostFaces = 3072;
@@ -58,8 +58,8 @@ private:
                    : static_cast<std::uint32_t>(std::clamp(faces / kBlocks, kLeastFaces, kMostFaces));
     }
 
-    /// Returns neighbouring blocks around `block` whose faces fit into one block less; fewer than _windowBlocks only if the
-    /// group has no more. Empty: they do not fit.
+    /// Returns neighbouring blocks around `block` whose faces fit into one block less; fewer than
+    /// _windowBlocks only if the group has no more. Empty: they do not fit.
     Faces windowAround(std::uint32_t block, const SlotTable& slots) const
     {
         if (slots.blocks()[block].live == 0) return slots.blocks()[block].extent > 0 ? Faces{block} : Faces{};
@@ -85,9 +85,9 @@ private:
         return {};
     }
 
-    /// Tells whether a window's faces fit into one block less, with a margin. A window that waits longer needs fewer
-    /// moves and shorter records, but has more holes. With this margin records are shortest and the order is hardly
-    /// worse. A single block waits until the same share of it has vanished.
+    /// Tells whether a window's faces fit into one block less, with a margin. A window that waits longer
+    /// needs fewer moves and shorter records, but has more holes. With this margin records are shortest and
+    /// the order is hardly worse. A single block waits until the same share of it has vanished.
     bool hasRoomInLess(const SlotTable& slots, std::span<const std::uint32_t> window) const
     {
         std::uint32_t live = 0, extents = 0, room = 0, least = ~0u;
@@ -104,8 +104,9 @@ private:
         return live + goes + goes * moreRoomPercent / 100 <= (window.size() > 1 ? room : extents);
     }
 
-    /// The spare room for which a window waits, in per cent of a block: the shorter the records of a mesh, the more moves fit in
-    /// 16 bytes a vertex. More than 65 536 slots need three bytes in records. Found by trial on closed scanned meshes.
+    /// The spare room for which a window waits, in per cent of a block: the shorter the records of a mesh,
+    /// the more moves fit in 16 bytes a vertex. More than 65 536 slots need three bytes in records. Found by
+    /// trial on closed scanned meshes.
     static std::uint32_t moreRoomFor(std::uint32_t slots)
     {
         if (slots > 0x10000) return 85;

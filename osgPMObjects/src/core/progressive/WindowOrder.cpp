@@ -16,16 +16,18 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The share of the faces that vanishes until the last level of which the cost counts: most of the time between two orderings.
+/// The share of the faces that vanishes until the last level of which the cost counts: most of the time
+/// between two orderings.
 constexpr double kShareGone = 0.4;
 
-/// The level that an order is made for, faces of finer levels being inserted. An order for the present level is taken only if it
-/// costs less by this share: it leaves single faces behind, which later windows inherit.
+/// The level that an order is made for, faces of finer levels being inserted. An order for the present level
+/// is taken only if it costs less by this share: it leaves single faces behind, which later windows inherit.
 constexpr std::size_t kLaterLevel = FutureLevels::kLevels / 2;
 constexpr double kLeastGain = 0.01;
 
-/// localityOrder() takes most of the time and is best on regular meshes only. A list of more faces than this is tried on a piece
-/// first. After an order that costs more than the best by this share some windows go without it, twice as many each time.
+/// localityOrder() takes most of the time and is best on regular meshes only. A list of more faces than this
+/// is tried on a piece first. After an order that costs more than the best by this share some windows go
+/// without it, twice as many each time.
 constexpr std::size_t kPieceFaces = 4096;
 constexpr double kMostLoss = 0.03;
 constexpr std::uint32_t kMostSkipped = 15, kFullSearchEvery = 8;

@@ -9,8 +9,8 @@
 namespace osgPMObjects::core
 {
 
-/// Orders the faces of a window so that they cost a vertex cache little from now to their next ordering, while some of them
-/// vanish. Of several orders the one with the least cost by FutureLevels is taken.
+/// Orders the faces of a window so that they cost a vertex cache little from now to their next ordering,
+/// while some of them vanish. Of several orders the one with the least cost by FutureLevels is taken.
 /// Source: the authors.
 class WindowOrder
 {

@@ -17,7 +17,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Returns the levels among which a measured error decides; estimates never fall, so a finer level than theirs is good, too.
+/// Returns the levels among which a measured error decides; estimates never fall, so a finer level than
+/// theirs is good, too.
 AllowedLevels allowedOf(const SelectableObject& object)
 {
     if (object.table->measured.isEmpty()) return {};

@@ -37,7 +37,8 @@ double priorityGain(const Priority& priority, const AttentionRule& rule, const g
     const glm::dvec3 toObject = sphere.centre - eyeWorld;
     const double distance = glm::length(toObject);
     if (distance <= sphere.radius) return priority.importance;
-    // The angle to the nearest point of the sphere counts: the gaze at any part of a large object is a gaze at the object.
+    // The angle to the nearest point of the sphere counts: the gaze at any part of a large object is a gaze
+    // at the object.
     const double cosine = std::clamp(glm::dot(toObject, rule.gaze) / distance, -1.0, 1.0);
     const double offDeg = glm::degrees(std::acos(cosine) - std::asin(sphere.radius / distance));
     const double width = rule.gazeOuterDeg - rule.gazeInnerDeg;

@@ -77,9 +77,9 @@ void SceneBudget::coarsenToFit()
     _result.fits = _result.cost <= _budget;
 }
 
-/// Undoes steps that are worth less than the wanted step by more than the band, until the wanted step fits; none if all of
-/// them together are not enough. In that case `_reach` becomes the budget that they would free: later candidates are worth
-/// less, so they can free no more.
+/// Undoes steps that are worth less than the wanted step by more than the band, until the wanted step fits;
+/// none if all of them together are not enough. In that case `_reach` becomes the budget that they would
+/// free: later candidates are worth less, so they can free no more.
 bool SceneBudget::makeRoom(const LevelCandidate& wanted, double band)
 {
     const std::uint64_t needed = stepTo(wanted.object, wanted.point + 1).cost;

@@ -14,8 +14,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Returns the last useful point of a curve: the cheapest one within a tolerance (the model's units), with the hysteresis of
-/// heldWithin(). Unlike levels, points go from coarse to fine.
+/// Returns the last useful point of a curve: the cheapest one within a tolerance (the model's units), with
+/// the hysteresis of heldWithin(). Unlike levels, points go from coarse to fine.
 std::uint32_t finestOfUse(const BenefitCurve& curve, double tolerance, double band, HeldLevel held)
 {
     const auto& points = curve.points;

@@ -10,8 +10,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Returns the most steps, at most `most`, whose estimates are within the tolerance; the distance counts only if none is
-/// measured.
+/// Returns the most steps, at most `most`, whose estimates are within the tolerance; the distance counts only
+/// if none is measured.
 std::uint32_t mostByEstimates(const LevelTable& table, double tolerance, const AttributeWeights& weights,
                               std::uint32_t most)
 {

@@ -78,7 +78,8 @@ bool isSwitchState(const SwitchState& state)
 
 float staggerShare(std::uint32_t number)
 {
-    // A multiplicative hash (Knuth, The Art of Computer Programming 3, 6.4): neighbours differ by the golden ratio.
+    // A multiplicative hash (Knuth, The Art of Computer Programming 3, 6.4): neighbours differ by the golden
+    // ratio.
     return static_cast<float>((number * 2654435769u) >> 8) * 0x1p-24f;
 }
 

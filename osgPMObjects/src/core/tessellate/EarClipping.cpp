@@ -82,8 +82,8 @@ private:
         if (isConvex(i) && isFree(i)) _ears.push({shape(i), i, _visits[i].version});
     }
 
-    /// Tells whether no other point lies in or on the triangle at `i`. Other visits of its own corners need no test: an edge
-    /// that leads from one of them into the triangle ends inside it.
+    /// Tells whether no other point lies in or on the triangle at `i`. Other visits of its own corners need
+    /// no test: an edge that leads from one of them into the triangle ends inside it.
     bool isFree(std::uint32_t i)
     {
         const std::uint32_t corners[3] = {_visits[_visits[i].previous].point, _visits[i].point,
@@ -136,7 +136,8 @@ private:
         --_left;
     }
 
-    /// Removes the edge at `i` along which the loop turns back onto itself. Returns the visit that replaces `i`.
+    /// Removes the edge at `i` along which the loop turns back onto itself. Returns the visit that replaces
+    /// `i`.
     std::uint32_t withoutSpike(std::uint32_t i)
     {
         while (_left > 2 && _visits[_visits[i].previous].point == _visits[_visits[i].next].point)

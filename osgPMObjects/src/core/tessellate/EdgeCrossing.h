@@ -13,8 +13,8 @@ namespace osgPMObjects::core
 
 glm::dvec2 onGrid(const glm::dvec2& point, double grid);
 
-/// Returns the crossing point of two edges that cross, rounded to a grid; for nearly parallel edges a point in the
-/// overlap of their boxes.
+/// Returns the crossing point of two edges that cross, rounded to a grid; for nearly parallel edges a point
+/// in the overlap of their boxes.
 glm::dvec2 crossingOf(std::span<const glm::dvec2> points, const EdgeEnds& first, const EdgeEnds& second,
                       double grid);
 

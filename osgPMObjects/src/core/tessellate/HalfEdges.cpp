@@ -97,8 +97,8 @@ std::vector<std::int32_t> windingNumbers(const HalfEdges& halves)
     for (const std::uint32_t half : byPlace)
     {
         if (isKnown[half]) continue;
-        // All edges at the leftmost point of a component lead to the right. The last of them, counter-clockwise, has the
-        // outside of the component on its left.
+        // All edges at the leftmost point of a component lead to the right. The last of them,
+        // counter-clockwise, has the outside of the component on its left.
         std::uint32_t last = half;
         for (std::uint32_t other = halves.clockwise(half); other != half; other = halves.clockwise(other))
             if (orientation(halves.position(halves.origin(half)), halves.position(halves.target(last)),

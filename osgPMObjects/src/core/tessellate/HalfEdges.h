@@ -10,7 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// The half-edge structure of noded edges: edge e is the half-edge 2e from → to, and 2e + 1 in the opposite direction.
+/// The half-edge structure of noded edges: edge e is the half-edge 2e from → to, and 2e + 1 in the opposite
+/// direction.
 /// Invariant: the NodedEdges satisfy isNoded(), and outlive this object.
 class HalfEdges
 {

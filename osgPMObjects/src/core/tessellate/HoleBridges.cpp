@@ -80,7 +80,8 @@ private:
         return isInSector(position(v.previous), position(visit), position(v.next), target);
     }
 
-    /// Returns the visit to a hole's leftmost point with the inside on its left; nothing for a loop that is no hole.
+    /// Returns the visit to a hole's leftmost point with the inside on its left; nothing for a loop that is
+    /// no hole.
     std::optional<std::uint32_t> westernVisit(std::uint32_t leftmost) const
     {
         const glm::dvec2 west = position(leftmost) - glm::dvec2(1.0, 0.0);
@@ -110,8 +111,8 @@ private:
         assert(false && "one of the visits to a point in sight looks back");
     }
 
-    /// Turns the ray towards the end of the hit edge that lies left of `from`; returns the first point that it passes, which
-    /// may be that end.
+    /// Turns the ray towards the end of the hit edge that lies left of `from`; returns the first point that
+    /// it passes, which may be that end.
     std::uint32_t firstInTheWay(const UprightEdge& edge, const glm::dvec2& from) const
     {
         const bool isDown = _points[edge.low].x <= from.x;

@@ -42,7 +42,8 @@ std::vector<Loop> insideLoops(const NodedEdges& noded, InsideRule rule)
         {
             isBorder[half] = 0;
             loop.push_back(halves.origin(half));
-            // Go on through the same sector of the inside: skip edges that are no border, up to the first that is.
+            // Go on through the same sector of the inside: skip edges that are no border, up to the first
+            // that is.
             std::uint32_t behind = halves.next(half);
             while (!isBorder[behind] && behind != first)
                 behind = halves.clockwise(behind);

@@ -121,8 +121,8 @@ private:
                             });
     }
 
-    /// Returns the convex chain of visits from i to j with the fewest pieces behind its sides; closed by the diagonal from j
-    /// to i it is a piece.
+    /// Returns the convex chain of visits from i to j with the fewest pieces behind its sides; closed by the
+    /// diagonal from j to i it is a piece.
     Chain convexChain(std::uint32_t i, std::uint32_t j) const
     {
         const std::uint32_t size = j - i + 1;

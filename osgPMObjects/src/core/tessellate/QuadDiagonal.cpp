@@ -13,7 +13,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Returns the normals of the triangles on either side of the diagonal from `first`; their lengths are twice the areas.
+/// Returns the normals of the triangles on either side of the diagonal from `first`; their lengths are twice
+/// the areas.
 std::array<glm::dvec3, 2> areaNormals(const Quad& quad, std::uint32_t first)
 {
     const auto at = [&](std::uint32_t i) { return quad[(first + i) % 4].position; };

@@ -12,8 +12,8 @@
 namespace osgPMObjects::core
 {
 
-/// Finds the points near a triangle by a grid with about as many cells as points. It visits the cells row by row as the
-/// triangle covers them, for the bounding box of a long diagonal triangle has many more.
+/// Finds the points near a triangle by a grid with about as many cells as points. It visits the cells row by
+/// row as the triangle covers them, for the bounding box of a long diagonal triangle has many more.
 /// Memory: 12 B a point. Cost: linear to build; a query visits the cells that the triangle covers.
 class TriangleSearch
 {
@@ -54,8 +54,8 @@ public:
         first = static_cast<std::uint32_t>(_next.size() - 1);
     }
 
-    /// Calls `judge(number)` for all points in or on a triangle, and for some others, until it says stop. Returns
-    /// whether it did.
+    /// Calls `judge(number)` for all points in or on a triangle, and for some others, until it says stop.
+    /// Returns whether it did.
     template<class Judge>
     bool visit(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const Judge& judge)
     {

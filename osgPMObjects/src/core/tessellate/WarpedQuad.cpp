@@ -33,9 +33,9 @@ double cross(const glm::dvec2& a, const glm::dvec2& b)
     return a.x * b.y - a.y * b.x;
 }
 
-/// Returns the largest change of texture coordinates a unit of length in the patch; infinite if it is not convex. The matrix
-/// from positions to texture is that from (s, t) to texture times the inverse of that from (s, t) to positions. The
-/// determinant of the latter is linear, so the extremes are at corners.
+/// Returns the largest change of texture coordinates a unit of length in the patch; infinite if it is not
+/// convex. The matrix from positions to texture is that from (s, t) to texture times the inverse of that from
+/// (s, t) to positions. The determinant of the latter is linear, so the extremes are at corners.
 double texturePerLength(const TexturedQuad& quad)
 {
     const glm::dvec3 normal = areaVector(quad.positions);
@@ -63,8 +63,8 @@ std::vector<glm::dvec2> seenFlat(const TexturedQuad& quad, const glm::dvec3& pos
     return projectPolygon(all, sizes, ProjectionRule::averageNormal);
 }
 
-/// Returns the shares (s, t) of the bilinear patch at the last point of `quad`. Eliminating s from p = a + s e + t f + s t g
-/// leaves a quadratic equation in t.
+/// Returns the shares (s, t) of the bilinear patch at the last point of `quad`. Eliminating s from p = a + s
+/// e + t f + s t g leaves a quadratic equation in t.
 std::optional<glm::dvec2> sharesAt(std::span<const glm::dvec2> p)
 {
     constexpr double kSlack = 1e-9; // rounding may put a position on the border outside

@@ -134,8 +134,8 @@ double ParametricCubic::nearestParameter(glm::dvec2 local, double guess) const
     return p;
 }
 
-/// The velocity between two parameters is a parabola within its three control vectors, and so is its direction, where these lie
-/// within a half-plane.
+/// The velocity between two parameters is a parabola within its three control vectors, and so is its
+/// direction, where these lie within a half-plane.
 double ParametricCubic::turnBetween(double from, double to) const
 {
     const auto velocity = [this](double p) { return glm::dvec2(_u.first(p), _v.first(p)); };

@@ -28,7 +28,8 @@ PlanPoint arcPoint(double curvature, double ds)
     return {glm::dvec2(chord * std::cos(half), chord * std::sin(half)), turn, curvature};
 }
 
-/// Returns the arc length of the point of a circle that is nearest to `local`; of all turns the one nearest to `guess`.
+/// Returns the arc length of the point of a circle that is nearest to `local`; of all turns the one nearest
+/// to `guess`.
 double nearestOnArc(glm::dvec2 local, double curvature, double guess)
 {
     const double radius = 1.0 / curvature; // signed

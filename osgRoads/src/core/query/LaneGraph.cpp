@@ -151,7 +151,8 @@ private:
         }
     }
 
-    /// A road may touch one junction with both ends: the link of the connecting road tells which end is meant.
+    /// A road may touch one junction with both ends: the link of the connecting road tells which end is
+    /// meant.
     bool leavesFrom(const JunctionConnection& connection, const LaneKey& key) const
     {
         const Road& connecting = roadOf(connection.connectingRoad);

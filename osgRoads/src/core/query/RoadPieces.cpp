@@ -91,7 +91,8 @@ RoadPiece pieceOf(const Road& road, const PlanElement& element, double from, dou
     const double extra = sagitta + (road.hasTilt() ? kTiltReachM : 0.0);
     piece.leftReach = reach.greatest + extra;
     piece.rightReach = -reach.least + extra;
-    // Lanes on the outside of a bend reach beyond the ends of the chord, by their width times the sine of the turn.
+    // Lanes on the outside of a bend reach beyond the ends of the chord, by their width times the sine of the
+    // turn.
     const double turn = std::max(sineBetween(piece.direction, first), sineBetween(piece.direction, last));
     piece.sagitta = sagitta + turn * std::max(piece.leftReach, piece.rightReach);
     return piece;

@@ -10,8 +10,8 @@
 namespace osgRoads::core
 {
 
-/// A short stretch of one element of a reference line, with a rectangle along its chord that holds the stretch and its
-/// lanes.
+/// A short stretch of one element of a reference line, with a rectangle along its chord that holds the
+/// stretch and its lanes.
 struct RoadPiece
 {
     std::uint32_t road = 0, element = 0;
@@ -25,14 +25,15 @@ struct RoadPiece
     /// Returns the square of the distance from the rectangle; 0 inside.
     double squareTo(glm::dvec2 point) const;
 
-    /// Returns the distance from the start of the element of the point of the chord that is nearest to `point`.
+    /// Returns the distance from the start of the element of the point of the chord that is nearest to
+    /// `point`.
     double guessAt(glm::dvec2 point) const;
 
     PlanBox box() const;
 };
 
-/// Cuts the reference lines of all usable roads into pieces: at most 20 m long (longer in networks of more than 4000 km,
-/// so that their number stays bounded) and turning by 0.3 rad at most.
+/// Cuts the reference lines of all usable roads into pieces: at most 20 m long (longer in networks of more
+/// than 4000 km, so that their number stays bounded) and turning by 0.3 rad at most.
 std::vector<RoadPiece> piecesOf(const RoadNetwork& network);
 
 } // namespace osgRoads::core

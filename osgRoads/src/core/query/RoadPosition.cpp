@@ -25,8 +25,8 @@ WorldPose worldPose(const RoadNetwork& network, const RoadPosition& position, do
     pose.position = frame.pointAt(position.t, position.h);
     pose.normal = surfaceNormal(road, position.s, position.t);
     pose.headingRad = frame.headingRad + headingRad;
-    // The tangent plane has the slope -n·forward/n.z along the heading; the left axis of the body is horizontal before it
-    // rolls, so the roll alone takes the normal off it.
+    // The tangent plane has the slope -n·forward/n.z along the heading; the left axis of the body is
+    // horizontal before it rolls, so the roll alone takes the normal off it.
     const glm::dvec2 forward(std::cos(pose.headingRad), std::sin(pose.headingRad));
     const glm::dvec2 left(-forward.y, forward.x);
     const double along = -(pose.normal.x * forward.x + pose.normal.y * forward.y) / pose.normal.z;

@@ -137,7 +137,8 @@ glm::dvec3 surfaceNormal(const Road& road, double s, double t)
     const double along = (surfaceHeight(road, s + ds, t) - h) / ds;
     const double lateral = t * frame.cosRoll - h * frame.sinRoll;
     const double up = t * frame.sinRoll + h * frame.cosRoll;
-    // Derivatives by s and t in the axes tangent, left, up; turning with the roll moves (lateral, up) to (-up, lateral).
+    // Derivatives by s and t in the axes tangent, left, up; turning with the roll moves (lateral, up) to
+    // (-up, lateral).
     const glm::dvec3 byS(1.0 - frame.curvature * lateral, -up * frame.rollRate - along * frame.sinRoll,
                          frame.slope + lateral * frame.rollRate + along * frame.cosRoll);
     const glm::dvec3 byT(0.0, frame.cosRoll - across * frame.sinRoll, frame.sinRoll + across * frame.cosRoll);

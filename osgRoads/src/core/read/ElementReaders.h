@@ -13,8 +13,8 @@ namespace osgRoads::core
 
 Road readRoad(NodeReader& element);
 
-/// Reads the reference line. Geometry that cannot be used is told, and leaves the line empty; a plan view that is shorter
-/// than the road makes it as short.
+/// Reads the reference line. Geometry that cannot be used is told, and leaves the line empty; a plan view
+/// that is shorter than the road makes it as short.
 void readPlanView(NodeReader& road, Road& into);
 
 void readLateralProfile(NodeReader& road, Road& into);

@@ -18,8 +18,9 @@
 namespace osgRoads::core
 {
 
-/// Reads one element: its attributes as typed values, its children by name. A missing or wrong value becomes a mistake of
-/// the context and a neutral value. When the element has been read, what nobody asked for is reported as not supported.
+/// Reads one element: its attributes as typed values, its children by name. A missing or wrong value becomes
+/// a mistake of the context and a neutral value. When the element has been read, what nobody asked for is
+/// reported as not supported.
 class NodeReader
 {
 public:

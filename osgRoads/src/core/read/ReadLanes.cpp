@@ -106,8 +106,8 @@ Lane readLane(NodeReader& element)
     return lane;
 }
 
-/// Puts the lanes of a side in order from the centre; drops those of the wrong side, of an id that is there already, or
-/// behind a missing one.
+/// Puts the lanes of a side in order from the centre; drops those of the wrong side, of an id that is there
+/// already, or behind a missing one.
 void arrange(NodeReader& section, std::vector<Lane>& lanes, int sign)
 {
     std::erase_if(lanes,

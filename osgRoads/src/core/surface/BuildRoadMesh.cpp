@@ -32,8 +32,8 @@ glm::dvec3 originOf(const PlacedNetwork& network)
     return least.x > most.x ? glm::dvec3(0.0) : glm::round(0.5 * (least + most));
 }
 
-/// So many roads are meshed by one thread at a time, and so many parts before they are joined. The mesh depends on the former (equal marks of two
-/// parts are two rows), not on the number of threads.
+/// So many roads are meshed by one thread at a time, and so many parts before they are joined. The mesh
+/// depends on the former (equal marks of two parts are two rows), not on the number of threads.
 constexpr std::size_t kRoadsOfPart = 64, kPartsAtOnce = 16;
 
 /// A range of roads.

@@ -20,7 +20,8 @@ inline bool isNear(const viewlod::ViewState& view, const glm::dvec3& centre, dou
     return glm::distance(view.eyeWorld, centre) - radius <= farthestM;
 }
 
-/// Returns the coarsest level of a chunk whose error stays within the tolerances (RoadViewSettings); else the finest.
+/// Returns the coarsest level of a chunk whose error stays within the tolerances (RoadViewSettings); else the
+/// finest.
 inline std::uint32_t coarsestLevel(const RoadChunk& chunk, const viewlod::ViewState& view,
                                    const RoadViewSettings& settings)
 {

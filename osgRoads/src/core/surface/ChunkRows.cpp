@@ -19,8 +19,9 @@ constexpr std::size_t kMostRowSteps = 512;
 constexpr double kAlongShare = 0.1;   ///< of a gap along the road, to one across it
 constexpr double kLeastAreaM2 = 1e-9; ///< of a piece that has a normal
 
-/// Returns how far a row lies from the straight pieces between two others. What lies along a piece, but not at the place that s
-/// has there, moves the ends of dashes only; the outer edges of skirts, the first and the last column, lie in the ground.
+/// Returns how far a row lies from the straight pieces between two others. What lies along a piece, but not
+/// at the place that s has there, moves the ends of dashes only; the outer edges of skirts, the first and the
+/// last column, lie in the ground.
 double gapBetween(const ChunkRow& row, const ChunkRow& before, const ChunkRow& after)
 {
     const double share = (row.s - before.s) / (after.s - before.s);
@@ -33,7 +34,8 @@ double gapBetween(const ChunkRow& row, const ChunkRow& before, const ChunkRow& a
         gap = std::max(
             {gap, glm::length(aside - along * way), kAlongShare * std::fabs(along) * std::sqrt(square)});
         if (i + 2 == here.size()) break;
-        // On the diagonal that both triangles of a piece share: where a road twists they leave its surface there.
+        // On the diagonal that both triangles of a piece share: where a road twists they leave its surface
+        // there.
         const glm::dvec3 off = share * (here[i] - to[i]) + (1.0 - share) * (here[i + 1] - from[i + 1]);
         const glm::dvec3 normal = glm::cross(to[i] - from[i], from[i + 1] - from[i]);
         const double length = glm::length(normal);
@@ -69,8 +71,8 @@ double ChunkRows::gapAt(std::size_t row, std::size_t stride) const
     return row == first ? 0.0 : gapBetween(_rows[row], _rows[first], _rows[last]);
 }
 
-/// Returns the greatest gap of rows in the middle of steps and, where those lie well, at their quarters: in the middle of a bend to
-/// the left and one to the right a straight piece meets the surface.
+/// Returns the greatest gap of rows in the middle of steps and, where those lie well, at their quarters: in
+/// the middle of a bend to the left and one to the right a straight piece meets the surface.
 double ChunkRows::gapOfSteps(double enoughM) const
 {
     double gap = 0.0;

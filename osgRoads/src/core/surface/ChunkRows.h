@@ -11,7 +11,8 @@
 namespace osgRoads::core
 {
 
-/// The surface between samples of a smooth curve departs by little more than at the samples: errors are measured there, times this.
+/// The surface between samples of a smooth curve departs by little more than at the samples: errors are
+/// measured there, times this.
 inline constexpr double kBetweenSamples = 1.15;
 
 /// A cross-section, where it lies in the scene.
@@ -29,8 +30,8 @@ public:
     ChunkRows(const PlacedNetwork& network, int road, const LaneSection& section, const CrossSection& shape,
               const JunctionCover& cover, const RoadMeshSettings& settings);
 
-    /// Replaces the rows by those between two places, in metres along the road: those of the finest level, and one between each two of
-    /// them.
+    /// Replaces the rows by those between two places, in metres along the road: those of the finest level,
+    /// and one between each two of them.
     void sample(double from, double to);
 
     const std::vector<ChunkRow>& rows() const { return _rows; }

@@ -12,7 +12,8 @@
 namespace osgRoads::core
 {
 
-/// Finds what the vertices of each strip of a chunk have in common: what the strip is made of, and what is painted on it.
+/// Finds what the vertices of each strip of a chunk have in common: what the strip is made of, and what is
+/// painted on it.
 class ChunkStrips
 {
 public:

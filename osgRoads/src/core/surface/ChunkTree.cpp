@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source: Kay & Kajiya, *Ray tracing complex scenes*, 1986 (median cut); Assarsson & Möller, *Optimized View Frustum Culling
-// Algorithms for Bounding Boxes*, 2000.
+// Source: Kay & Kajiya, *Ray tracing complex scenes*, 1986 (median cut); Assarsson & Möller, *Optimized View
+// Frustum Culling Algorithms for Bounding Boxes*, 2000.
 #include <algorithm>
 #include <numeric>
 

@@ -10,7 +10,8 @@
 namespace osgRoads::core
 {
 
-/// Adds the levels of a chunk, whose vertices are in the mesh already: each keeps every second row of the level before it.
+/// Adds the levels of a chunk, whose vertices are in the mesh already: each keeps every second row of the
+/// level before it.
 class ChunkTriangles
 {
 public:

@@ -27,8 +27,9 @@ std::array<std::int8_t, 4> packed(const glm::dvec3& normal, double wear)
     return bytes;
 }
 
-/// Returns the unit normal of the surface at a column of a row, of which `other` lies `ahead` metres farther along the road. A skirt is
-/// lit as the verge beside it: its own slope would show as a line where the ground begins.
+/// Returns the unit normal of the surface at a column of a row, of which `other` lies `ahead` metres farther
+/// along the road. A skirt is lit as the verge beside it: its own slope would show as a line where the ground
+/// begins.
 glm::dvec3 normalAt(const ChunkRow& row, const ChunkRow& other, std::size_t column, std::size_t first,
                     std::size_t count, bool isSkirt)
 {
@@ -57,7 +58,8 @@ ChunkVertices::ChunkVertices(const PlacedNetwork& network, int road, const LaneS
 {
 }
 
-/// Whether a lane lies outside of the tube that the paved lanes have: there is hillside, which stays as it is.
+/// Whether a lane lies outside of the tube that the paved lanes have: there is hillside, which stays as it
+/// is.
 bool ChunkVertices::isOutsideOfTunnel(const Lane& lane, const ChunkRow& row) const
 {
     if (lane.type != LaneType::none) return false;

@@ -79,7 +79,8 @@ bool isCurved(const Road& road)
     return !road.shapes.empty() || (hasCrossfall && !road.laneOffset.isEmpty());
 }
 
-/// Returns the part of a way outwards from t that does not reach beyond the centre of a bend, where the surface would fold over.
+/// Returns the part of a way outwards from t that does not reach beyond the centre of a bend, where the
+/// surface would fold over.
 double unfolded(double leftM, double t, double curvature)
 {
     constexpr double kShare = 0.98; // of the way to the centre

@@ -32,7 +32,8 @@ public:
                     double phase = 0.0);
     /// Adds an arrow of 5 m times `scale` around the origin.
     void arrow(const ArrowHeads& heads, double scale);
-    /// Adds a polygon, with stripes at right angles to `axis`; period 0: without. Cuts it into trapezoids at its corners.
+    /// Adds a polygon, with stripes at right angles to `axis`; period 0: without. Cuts it into trapezoids at
+    /// its corners.
     void area(std::span<const glm::dvec2> corners, glm::dvec2 axis, double dash, double period);
 
 private:

@@ -32,8 +32,9 @@ private:
     BoxTree _tree;
 };
 
-/// Writes what is painted on pieces of the surface into lists for the shader. A decal belongs to every surface that it
-/// lies on, whichever road that is of: a crosswalk at the end of a road reaches into the junction.
+/// Writes what is painted on pieces of the surface into lists for the shader. A decal belongs to every
+/// surface that it lies on, whichever road that is of: a crosswalk at the end of a road reaches into the
+/// junction.
 class DecalRows
 {
 public:

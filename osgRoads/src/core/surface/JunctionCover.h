@@ -9,8 +9,8 @@ namespace osgRoads::core
 /// Surfaces less than this above each other are one place.
 inline constexpr double kSameLevelM = 1.0;
 
-/// Tells where the carriageways of other roads cover what a road has beside its own carriageway: connecting roads lie over
-/// each other and over the verges of their neighbours.
+/// Tells where the carriageways of other roads cover what a road has beside its own carriageway: connecting
+/// roads lie over each other and over the verges of their neighbours.
 class JunctionCover
 {
 public:
@@ -21,8 +21,8 @@ public:
     /// Whether the road's own marks may be covered: it connects others in a junction.
     bool canCoverMarks() const { return _isConnecting; }
 
-    /// Whether another road's lanes come within `radiusM` of the reference line at s in the plan view. Where none does, nothing within
-    /// that distance is covered.
+    /// Whether another road's lanes come within `radiusM` of the reference line at s in the plan view. Where
+    /// none does, nothing within that distance is covered.
     bool isNearOther(double s, double radiusM) const;
 
     /// What covers another road: its carriageway, or all of its lanes that are paved.
@@ -35,7 +35,8 @@ public:
     /// Whether another road lies at (s, t) of this one, less than 1 m higher or lower.
     bool covers(double s, double t, By by = By::carriageway) const;
 
-    /// Whether a verge is a gap between carriageways of one junction: a driving lane of another road lies at most 5 m outwards of (s, t).
+    /// Whether a verge is a gap between carriageways of one junction: a driving lane of another road lies at
+    /// most 5 m outwards of (s, t).
     /// `side`: 1 to the left.
     bool isGap(double s, double t, int side) const;
 

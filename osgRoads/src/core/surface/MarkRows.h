@@ -17,8 +17,8 @@ class MarkRows
 public:
     MarkRows() : _rows(1) {}
 
-    /// Returns the row of a lane's outer border (of the centre lane: of the lane offset) for a chunk that begins at `s`.
-    /// 0: nothing is painted, or explicit lines are, which are decals.
+    /// Returns the row of a lane's outer border (of the centre lane: of the lane offset) for a chunk that
+    /// begins at `s`. 0: nothing is painted, or explicit lines are, which are decals.
     std::uint32_t rowOf(const LaneSection& section, const Lane& lane, double s);
 
     std::vector<MarkRow> take() { return std::move(_rows); }

@@ -53,7 +53,8 @@ MeshJoiner::MeshJoiner(const glm::dvec3& origin, std::size_t parts) : _parts(par
     _mesh.decals.resize(1);
 }
 
-/// Reserves room for all parts as soon as that for the next one is missing: growing by doubling would hold the mesh twice.
+/// Reserves room for all parts as soon as that for the next one is missing: growing by doubling would hold
+/// the mesh twice.
 void MeshJoiner::makeRoomFor(const RoadMesh& part)
 {
     constexpr double kMore = 1.25;

@@ -7,7 +7,8 @@ namespace osgRoads::core
 {
 
 /// Joins the meshes of the parts of a network, which have one origin, in the order in which they are added.
-/// Memory: after the first part room for all is reserved, as large as parts have been so far; pages of it that nothing is written to cost none.
+/// Memory: after the first part room for all is reserved, as large as parts have been so far; pages of it
+/// that nothing is written to cost none.
 class MeshJoiner
 {
 public:

@@ -8,8 +8,9 @@
 namespace osgRoads::core
 {
 
-/// Tells where the surface of a road wears off into the ground: within kWearM of an end that leads nowhere. An end leads on where the file
-/// links it, and where another road or the road's other end lies there. Beside a bridge or tunnel, which have no ground, it stays whole.
+/// Tells where the surface of a road wears off into the ground: within kWearM of an end that leads nowhere.
+/// An end leads on where the file links it, and where another road or the road's other end lies there. Beside
+/// a bridge or tunnel, which have no ground, it stays whole.
 class OpenEnds
 {
 public:

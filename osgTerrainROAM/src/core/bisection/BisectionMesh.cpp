@@ -55,7 +55,8 @@ BisectionMesh::BisectionMesh(const BisectionSurface& surface, std::span<const Bi
     findNeeds();
 }
 
-/// Splits for each patch what its border depends on, and the borders of those patches whose carriers are split by that, too.
+/// Splits for each patch what its border depends on, and the borders of those patches whose carriers are
+/// split by that, too.
 void BisectionMesh::findNeeds()
 {
     for (std::uint32_t p = 0; p < _patches.size(); ++p)

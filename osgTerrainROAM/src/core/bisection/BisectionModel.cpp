@@ -37,7 +37,8 @@ double bumpsAt(glm::dvec3 p)
     return sum;
 }
 
-/// Where a point of the mesh lies: on the sphere, with the relief; without a sphere relief goes in all directions.
+/// Where a point of the mesh lies: on the sphere, with the relief; without a sphere relief goes in all
+/// directions.
 SurfaceShape shapeOf(const BisectionFile& file)
 {
     return [radius = file.radius, relief = file.relief, size = file.reliefSize](const glm::dvec3& coarse)

@@ -10,8 +10,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Places the middles of all bases below a triangle. The middle of two points is the same in whichever order, so both triangles at a
-/// base find the same place.
+/// Places the middles of all bases below a triangle. The middle of two points is the same in whichever order,
+/// so both triangles at a base find the same place.
 class MiddlePlacer
 {
 public:

@@ -10,8 +10,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Reads the points of a file of triangles and makes a TIN of them in the smallest triangle above the last level that holds them all, seen from
-/// above. Errors: of the file; no triangle holds them all; the TIN is not sound (checkPatch).
+/// Reads the points of a file of triangles and makes a TIN of them in the smallest triangle above the last
+/// level that holds them all, seen from above. Errors: of the file; no triangle holds them all; the TIN is
+/// not sound (checkPatch).
 foundation::Result<BisectionPatch> readPatch(const BisectionSurface& surface,
                                              const std::filesystem::path& file);
 

@@ -20,7 +20,8 @@ PlanTriangle inGrid(const BlockTriangle& t, GridPoint origin)
     return {{at(t[0]), at(t[1]), at(t[2])}};
 }
 
-/// A side of a block whose vertices that the next level lacks are drawn in the middle between their neighbours.
+/// A side of a block whose vertices that the next level lacks are drawn in the middle between their
+/// neighbours.
 struct MorphedSide
 {
     GridPoint origin;

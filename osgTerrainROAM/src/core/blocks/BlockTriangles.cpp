@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Regular decimation of a block: which triangles a level has, and how they meet a coarser border.
-// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 3.2 (levels, fans at the border); de Boer,
-// *Fast terrain rendering using geometrical mipmapping*, 2000. Differs: the diagonals alternate, so that levels nest.
+// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 3.2 (levels, fans at
+// the border); de Boer,
+// *Fast terrain rendering using geometrical mipmapping*, 2000. Differs: the diagonals alternate, so that
+// levels nest.
 #include <osgTerrainROAM/core/blocks/BlockTriangles.h>
 
 namespace osgTerrainROAM::core

@@ -8,8 +8,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Finds the least tolerance from `target` up, to one part in ten thousand, at which a choice of levels has at most `most` triangles.
-/// `chooseAt(tolerance)` returns the choice, with members `tolerance` and `triangles`, which do not grow with the tolerance.
+/// Finds the least tolerance from `target` up, to one part in ten thousand, at which a choice of levels has
+/// at most `most` triangles. `chooseAt(tolerance)` returns the choice, with members `tolerance` and
+/// `triangles`, which do not grow with the tolerance.
 template<class ChooseAt>
 auto withinCeiling(double target, std::uint32_t most, const ChooseAt& chooseAt)
 {

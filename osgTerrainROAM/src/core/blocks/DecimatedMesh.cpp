@@ -13,7 +13,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// The errors of a tile as it is now: those that are there, or a copy in which the blocks that were edited are measured anew.
+/// The errors of a tile as it is now: those that are there, or a copy in which the blocks that were edited
+/// are measured anew.
 std::shared_ptr<const BlockErrors> presentErrors(const std::shared_ptr<const BlockErrors>& errors,
                                                  std::vector<GridRect>* moved = nullptr)
 {
@@ -25,7 +26,8 @@ std::shared_ptr<const BlockErrors> presentErrors(const std::shared_ptr<const Blo
     return present;
 }
 
-/// The ends of the edge of the next level in whose middle a vertex of a level lies. Diagonals alternate as those of innerTriangles().
+/// The ends of the edge of the next level in whose middle a vertex of a level lies. Diagonals alternate as
+/// those of innerTriangles().
 std::pair<GridPoint, GridPoint> parentsOf(GridPoint p, GridPoint origin, int level)
 {
     const int step = 1 << level;
@@ -108,8 +110,9 @@ RefineResult DecimatedMesh::show(LevelsInCeiling levels)
     return result;
 }
 
-/// A vertex of the border follows the border's level, one inside the block's; others are where they are. The ends of an edge that a
-/// vertex comes from are of a coarser level: they may move with a border, and the vertex with them.
+/// A vertex of the border follows the border's level, one inside the block's; others are where they are. The
+/// ends of an edge that a vertex comes from are of a coarser level: they may move with a border, and the
+/// vertex with them.
 glm::dvec3 DecimatedMesh::drawnAt(const State& state, GridPoint origin, GridPoint local) const
 {
     const PlacedTile& placed = tile().tile;

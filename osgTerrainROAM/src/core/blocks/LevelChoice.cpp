@@ -12,8 +12,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Makes neighbours finer until no border of a block is off by more than the block may. Each visit can only make levels finer, so it
-/// ends; blocks are visited in their order.
+/// Makes neighbours finer until no border of a block is off by more than the block may. Each visit can only
+/// make levels finer, so it ends; blocks are visited in their order.
 void refineNeighbours(const BlockErrors& errors, const std::vector<double>& allowedM,
                       std::vector<int>& levels)
 {
@@ -37,8 +37,8 @@ void refineNeighbours(const BlockErrors& errors, const std::vector<double>& allo
     }
 }
 
-/// The level at which the interpolated error is what is allowed. Below 0: so much finer the neighbours have to be, because all of the
-/// error of the finest level comes from borders with coarser ones.
+/// The level at which the interpolated error is what is allowed. Below 0: so much finer the neighbours have
+/// to be, because all of the error of the finest level comes from borders with coarser ones.
 double continuousLevel(const BlockErrors& errors, std::uint32_t block, double allowedM)
 {
     const int last = errors.levels() - 1;
@@ -51,7 +51,8 @@ double continuousLevel(const BlockErrors& errors, std::uint32_t block, double al
     return allowedM / errors.morphedM(block, 0) - 1.0;
 }
 
-/// Lowers levels until neighbours differ by at most one: the distance transform by city blocks, in two sweeps.
+/// Lowers levels until neighbours differ by at most one: the distance transform by city blocks, in two
+/// sweeps.
 /// Source: Rosenfeld & Pfaltz, *Sequential operations in digital picture processing*, 1966.
 void limitSteps(const BlockGrid& grid, BlockLevels& levels)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // View-independent progressive meshes of terrain blocks.
-// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), sections 4.1 and 4.2 (blocks, borders);
-// *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 5 (tswap). Differs: errors are measured over all
-// samples instead of kept with each collapse.
+// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), sections 4.1 and 4.2 (blocks,
+// borders);
+// *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 5 (tswap). Differs: errors
+// are measured over all samples instead of kept with each collapse.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -29,8 +30,8 @@ namespace pm = osgPMObjects::core;
 
 constexpr double kLadderRatio = 1.19; ///< the fourth root of 2
 
-/// A sample as simplification sees it: on the round Earth in the plane of the grid, where borders are straight and no triangle that is turned over
-/// there looks sound.
+/// A sample as simplification sees it: on the round Earth in the plane of the grid, where borders are
+/// straight and no triangle that is turned over there looks sound.
 glm::dvec3 flatPosition(const PlacedTile& tile, int column, int row)
 {
     const glm::dvec3 position = tile.position(column, row);

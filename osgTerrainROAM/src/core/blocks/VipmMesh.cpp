@@ -136,8 +136,8 @@ RefineResult VipmMesh::show(const Choice& choice)
     return result;
 }
 
-/// The vertices of the rim come first: one for each sample of the border, at all levels. A level uses the first of the others only; the
-/// run grows by powers of two.
+/// The vertices of the rim come first: one for each sample of the border, at all levels. A level uses the
+/// first of the others only; the run grows by powers of two.
 void VipmMesh::write(std::uint32_t block, std::size_t level)
 {
     const VipmBlock& source = _blocks->block(block);

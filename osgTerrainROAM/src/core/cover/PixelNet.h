@@ -14,12 +14,14 @@ class GDALDataset;
 namespace osgTerrainROAM::core
 {
 
-/// The pixel coordinates of a raster at the nodes of a tile's geodetic net, interpolated between them. A raster without georeference
-/// is stretched over the tile. Pixel coordinates are GDAL's: from the upper left corner, centres at halves.
+/// The pixel coordinates of a raster at the nodes of a tile's geodetic net, interpolated between them. A
+/// raster without georeference is stretched over the tile. Pixel coordinates are GDAL's: from the upper left
+/// corner, centres at halves.
 class PixelNet
 {
 public:
-    /// Errors: the raster has a georeference and the tile has none; coordinate systems that cannot be related.
+    /// Errors: the raster has a georeference and the tile has none; coordinate systems that cannot be
+    /// related.
     static foundation::Result<PixelNet> make(GDALDataset& dataset, const PlacedTile& tile,
                                              const std::string& name);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground takes the shape of a platform or a ribbon: level with its surface, and beside it a cutting or an embankment at a
-// given slope down or up to the ground as it was.
+// The ground takes the shape of a platform or a ribbon: level with its surface, and beside it a cutting or an
+// embankment at a given slope down or up to the ground as it was.
 #include <algorithm>
 #include <cmath>
 #include <shared_mutex>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beds and the slopes beside them. Of several works near a place the beds count first; the slopes are intersected, so that a river
-// that flows into a lake is not dammed by the lake's shore.
+// Beds and the slopes beside them. Of several works near a place the beds count first; the slopes are
+// intersected, so that a river that flows into a lake is not dammed by the lake's shore.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -92,7 +92,8 @@ public:
         return {foot.distanceM - halfM - _work.stripM, edgeM, foot.distanceM};
     }
 
-    /// `slopesM`: how far slopes reach. Towards there they give way, so that ground that is steeper than they are is met without a wall.
+    /// `slopesM`: how far slopes reach. Towards there they give way, so that ground that is steeper than they
+    /// are is met without a wall.
     Limits limits(const Beside& at, double flatM, double slopesM) const
     {
         const double outM = std::max(at.outM - flatM, 0.0), slope = std::max(_work.slope, kLeastSlope);

@@ -23,7 +23,8 @@ constexpr std::size_t kLeastBlocks = 64; ///< for a thread
 constexpr double kSmallBoxM =
     250.0; ///< within one the ground's height moves places by less than a grid point
 
-/// The grid coordinates of a place. `isExact`: found on the ground there; else by TileFrame::gridNear(), off by up to a sample.
+/// The grid coordinates of a place. `isExact`: found on the ground there; else by TileFrame::gridNear(), off
+/// by up to a sample.
 glm::dvec2 gridOf(const PlacedTile& tile, const glm::dvec2& place, bool& isExact)
 {
     const auto ground = isExact ? groundAt(tile, place.x, place.y) : std::optional<GroundPoint>(std::nullopt);
@@ -31,8 +32,8 @@ glm::dvec2 gridOf(const PlacedTile& tile, const glm::dvec2& place, bool& isExact
     return ground ? tile.frame().gridAt(ground->position) : tile.frame().gridNear(place);
 }
 
-/// The points of the data in a box, and perhaps a few around it: on the curved Earth grid lines are slightly curved, and the ground's
-/// height shifts places, by less than a point within a small box.
+/// The points of the data in a box, and perhaps a few around it: on the curved Earth grid lines are slightly
+/// curved, and the ground's height shifts places, by less than a point within a small box.
 GridRect placesIn(const PlacedTile& tile, const PlanBox& box)
 {
     glm::dvec2 low(1e30), high(-1e30);

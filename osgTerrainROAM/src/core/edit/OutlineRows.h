@@ -8,7 +8,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// An outline with holes whose edges are sorted into rows, so that long shores are asked quickly. Units: metres.
+/// An outline with holes whose edges are sorted into rows, so that long shores are asked quickly. Units:
+/// metres.
 class OutlineRows
 {
 public:

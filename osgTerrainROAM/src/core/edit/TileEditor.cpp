@@ -44,7 +44,8 @@ private:
     std::map<std::tuple<int, int, int>, GridRect> _rects; ///< by step and group
 };
 
-/// The rectangles in which vertices may have moved: between changed samples of the raster, too, and beyond the edge of the data.
+/// The rectangles in which vertices may have moved: between changed samples of the raster, too, and beyond
+/// the edge of the data.
 GridRect movedBy(const ChangedPlaces& changed, const PlacedTile& tile)
 {
     GridRect moved = changed.rect.grownBy(changed.step - 1);
@@ -118,7 +119,8 @@ void TileEditor::note(const Step& step, std::span<const BoundsUpdate::Change> bo
     _tile->note(std::move(change));
 }
 
-/// Counts the points around added samples among the samples: the surface bends there, and beyond them it stays as it is.
+/// Counts the points around added samples among the samples: the surface bends there, and beyond them it
+/// stays as it is.
 void TileEditor::surround(std::span<const HeightChange> changes, Step& step)
 {
     PlacedTile& placed = _tile->tile;

@@ -191,8 +191,8 @@ void CellBuilder::addEdges(Draft& draft, const FeatureShapes::Area& area, const 
         for (std::size_t i = 0; i < ring.size(); ++i)
         {
             const glm::dvec2 a = ring[i] - middle, b = ring[(i + 1) % ring.size()] - middle;
-            // Edges along the western, northern and southern border are left out: they come from clipping, and no ray from the
-            // cell to the east meets them.
+            // Edges along the western, northern and southern border are left out: they come from clipping,
+            // and no ray from the cell to the east meets them.
             const bool west = a.x <= -half && b.x <= -half;
             const bool level = a.y == b.y && std::abs(a.y) >= half;
             if (!west && !level) draft.texels.push_back(texel(a, b));

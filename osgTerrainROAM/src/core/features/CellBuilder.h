@@ -18,7 +18,8 @@ class CellBuilder
 public:
     CellBuilder(FeatureCells& cells, const FeatureShapes& shapes) : _cells(cells), _shapes(shapes) {}
 
-    /// Lays cells of a size around all shapes. Returns false, and changes nothing, when there would be too many cells.
+    /// Lays cells of a size around all shapes. Returns false, and changes nothing, when there would be too
+    /// many cells.
     bool layGrid(double cellM);
 
     /// The largest number of texels that single precision can index.

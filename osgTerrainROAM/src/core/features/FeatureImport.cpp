@@ -30,7 +30,8 @@ struct Geometry
     std::vector<std::vector<glm::dvec2>> paths;
 };
 
-/// Collects lines and areas of a geometry, also of a collection; if it contains an area, all its paths count as areas.
+/// Collects lines and areas of a geometry, also of a collection; if it contains an area, all its paths count
+/// as areas.
 void addGeometry(Geometry& geometry, const OGRGeometry& source, int depth)
 {
     if (depth > 8) return;
@@ -98,8 +99,8 @@ private:
         put(geometry, *style);
     }
 
-    /// Transforms vertices to degrees and drops paths of too few points. Returns false when nothing is left, or when a vertex cannot be
-    /// transformed.
+    /// Transforms vertices to degrees and drops paths of too few points. Returns false when nothing is left,
+    /// or when a vertex cannot be transformed.
     static bool transform(Geometry& geometry, OGRCoordinateTransformation* toWgs84)
     {
         const std::size_t least = geometry.isArea ? 3 : 2;

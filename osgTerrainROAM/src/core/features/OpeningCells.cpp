@@ -111,7 +111,8 @@ void storePieces(const std::vector<std::vector<const OpeningPiece*>>& lists, Ope
     }
 }
 
-/// Whether a place, relative to the middle of its cell, lies in a piece: as isInPiece() of GroundOpenings.glsl.
+/// Whether a place, relative to the middle of its cell, lies in a piece: as isInPiece() of
+/// GroundOpenings.glsl.
 bool isInPiece(const std::array<float, 4>* record, const glm::dvec3& at)
 {
     const auto &from = record[0], &to = record[1], &heights = record[2], &ends = record[3];

@@ -17,7 +17,8 @@ constexpr double kSameM = 0.05;
 
 using EndKey = std::pair<std::int64_t, std::int64_t>;
 
-/// Ends in the same square of 5 cm count as one. Close ends in different squares stay separate, which costs a gap in a marking.
+/// Ends in the same square of 5 cm count as one. Close ends in different squares stay separate, which costs a
+/// gap in a marking.
 EndKey keyOf(const glm::dvec2& place)
 {
     return {std::llround(place.x / kSameM), std::llround(place.y / kSameM)};

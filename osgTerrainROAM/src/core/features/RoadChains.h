@@ -15,9 +15,10 @@ struct Chain
     std::vector<glm::dvec2> points;
 };
 
-/// Joins the lines of features that continue one another. Maps cut a road where an attribute changes or a map sheet ends, and each
-/// cut would leave a gap in the markings. Lines are joined at an end that exactly two lines of the same style share (within 5 cm);
-/// at a junction of three or more nothing is joined. Deterministic: in the order given.
+/// Joins the lines of features that continue one another. Maps cut a road where an attribute changes or a map
+/// sheet ends, and each cut would leave a gap in the markings. Lines are joined at an end that exactly two
+/// lines of the same style share (within 5 cm); at a junction of three or more nothing is joined.
+/// Deterministic: in the order given.
 std::vector<Chain> joinedLines(const std::vector<GroundFeature>& features);
 
 } // namespace osgTerrainROAM::core

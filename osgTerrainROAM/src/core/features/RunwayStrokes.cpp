@@ -201,7 +201,8 @@ bool runwayOfArea(const std::vector<std::vector<glm::dvec2>>& rings, RunwayFrame
 {
     glm::dvec2 along(0.0);
     const auto& ring = rings.front();
-    // The direction of the sum of all sides, folded into one half plane: points added on a straight side change nothing.
+    // The direction of the sum of all sides, folded into one half plane: points added on a straight side
+    // change nothing.
     glm::dvec2 longest(0.0);
     for (std::size_t i = 0; i < ring.size(); ++i)
         if (const glm::dvec2 side = ring[(i + 1) % ring.size()] - ring[i];

@@ -84,7 +84,8 @@ foundation::Outcome forEachFeature(const std::filesystem::path& source, const Pl
         layer->ResetReading();
         while (true)
         {
-            // Only an error that ends reading is damage; a vertex outside the Earth makes one feature invalid.
+            // Only an error that ends reading is damage; a vertex outside the Earth makes one feature
+            // invalid.
             gdal.clear();
             const OGRFeatureUniquePtr feature{layer->GetNextFeature()};
             if (!feature) break;

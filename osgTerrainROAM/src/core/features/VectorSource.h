@@ -18,15 +18,17 @@ namespace osgTerrainROAM::core
 using FeatureUse =
     std::function<foundation::Outcome(OGRFeature&, OGRLayer&, OGRCoordinateTransformation* toWgs84)>;
 
-/// Reads the features of all layers of a vector source that is to be laid on a tile. Errors: a planar tile with georeference; no such file; no
-/// format of OGR; a layer without a coordinate system, or with one that cannot be related; one that is damaged; those of `use`, which end it.
+/// Reads the features of all layers of a vector source that is to be laid on a tile. Errors: a planar tile
+/// with georeference; no such file; no format of OGR; a layer without a coordinate system, or with one that
+/// cannot be related; one that is damaged; those of `use`, which end it.
 foundation::Outcome forEachFeature(const std::filesystem::path& source, const PlacedTile& tile,
                                    const FeatureUse& use);
 
 /// Names a layer in messages.
 std::string placeOf(const std::filesystem::path& source, OGRLayer& layer);
 
-/// Transforms a vertex to degrees east and north (planar: leaves it). Returns false where there is no such place.
+/// Transforms a vertex to degrees east and north (planar: leaves it). Returns false where there is no such
+/// place.
 bool transform(glm::dvec2& vertex, OGRCoordinateTransformation* toWgs84);
 
 /// Returns the value of an attribute, also of one in OGR's other_tags; empty where there is none.

@@ -22,7 +22,8 @@ ReferenceSystem horizontal(const std::string& wkt)
     return system;
 }
 
-/// Computes the whole turns, in degrees, that bring the longitudes of one grid next to the other's across the date line.
+/// Computes the whole turns, in degrees, that bring the longitudes of one grid next to the other's across the
+/// date line.
 double turnsBetween(OGRSpatialReferenceH crs, const GridFrame& from, const GridFrame& to)
 {
     return OSRIsGeographic(crs) ? 360.0 * std::round((to.firstX - from.firstX) / 360.0) : 0.0;

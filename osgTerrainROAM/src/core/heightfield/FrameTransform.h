@@ -20,8 +20,8 @@ struct GridReference
     std::string crsWkt; ///< empty: a plane
 };
 
-/// Transforms coordinates (column, row) of one grid to those of another. It is exact where both have the same reference system;
-/// otherwise PROJ relates the two.
+/// Transforms coordinates (column, row) of one grid to those of another. It is exact where both have the same
+/// reference system; otherwise PROJ relates the two.
 /// Threads: one at a time.
 class FrameTransform
 {

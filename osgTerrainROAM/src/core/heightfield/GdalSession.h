@@ -8,8 +8,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// A scope in which GDAL, on this thread, reports errors to this object instead of stderr, writes no files beside its inputs, and
-/// names vertical datums. The destructor restores the thread's former settings; other threads are not affected.
+/// A scope in which GDAL, on this thread, reports errors to this object instead of stderr, writes no files
+/// beside its inputs, and names vertical datums. The destructor restores the thread's former settings; other
+/// threads are not affected.
 /// Threads: constructed, used and destroyed on one thread.
 class GdalSession
 {

@@ -26,8 +26,8 @@ GeodeticLattice::GeodeticLattice(const TileGrid& grid, const GeodeticNet& net,
     fillNodes(net);
 }
 
-/// Finds the middle of the data on the ellipsoid. Interpolates geocentric positions: unlike longitudes they are continuous
-/// everywhere.
+/// Finds the middle of the data on the ellipsoid. Interpolates geocentric positions: unlike longitudes they
+/// are continuous everywhere.
 Geodetic GeodeticLattice::centreOf(const TileGrid& grid, const GeodeticNet& net) const
 {
     const auto& earth = GeographicLib::Geocentric::WGS84();

@@ -18,8 +18,8 @@ namespace
 using foundation::Error;
 using foundation::Result;
 
-/// A PROJ pipeline that adds the geoid undulation to a height. It fails when the geoid grid is missing; a transformation between
-/// named systems would not.
+/// A PROJ pipeline that adds the geoid undulation to a height. It fails when the geoid grid is missing; a
+/// transformation between named systems would not.
 constexpr const char* kGeoidPipeline = "+proj=pipeline +step +proj=unitconvert +xy_in=deg +xy_out=rad"
                                        " +step +proj=vgridshift +grids=egm96_15.gtx +multiplier=1"
                                        " +step +proj=unitconvert +xy_in=rad +xy_out=deg";

@@ -15,10 +15,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// Locates the samples of a raster on the Earth, from its grid, its coordinate reference system (any that PROJ knows) and its
-/// vertical datum. Heights above mean sea level get the EGM96 undulation, whose grid comes with PROJ; other geoids are treated as
-/// EGM96, from which they differ by a metre or two. Heights are ellipsoidal when the reference system has three dimensions or
-/// names the ellipsoid as its vertical datum.
+/// Locates the samples of a raster on the Earth, from its grid, its coordinate reference system (any that
+/// PROJ knows) and its vertical datum. Heights above mean sea level get the EGM96 undulation, whose grid
+/// comes with PROJ; other geoids are treated as EGM96, from which they differ by a metre or two. Heights are
+/// ellipsoidal when the reference system has three dimensions or names the ellipsoid as its vertical datum.
 /// Threads: one at a time.
 class GeodeticLocator
 {
@@ -27,7 +27,8 @@ public:
     static foundation::Result<GeodeticLocator> create(const std::string& name, const Raster& raster,
                                                       VerticalDatum datum, GdalSession& gdal);
 
-    /// WGS84 positions of (fractional) grid coordinates, row 0 the southernmost; NaN where the map projection is not defined.
+    /// WGS84 positions of (fractional) grid coordinates, row 0 the southernmost; NaN where the map projection
+    /// is not defined.
     void locate(std::span<const glm::dvec2> grid, std::span<GeodeticNet::Node> nodes) const;
 
     /// Tells whether heights are above the ellipsoid.

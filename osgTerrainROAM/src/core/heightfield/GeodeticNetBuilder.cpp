@@ -61,8 +61,8 @@ std::vector<glm::dvec3> geocentric(const GeodeticNet& net)
     return places;
 }
 
-/// Tells whether the biquadratic through every other node of `fine` is within the tolerances at the nodes between, over the part
-/// with data. False when a node in use is not defined.
+/// Tells whether the biquadratic through every other node of `fine` is within the tolerances at the nodes
+/// between, over the part with data. False when a node in use is not defined.
 bool everyOtherSuffices(const GeodeticNet& fine, int columns, int rows)
 {
     // At quarters of a cell, in units of its three nodes.
@@ -92,8 +92,8 @@ bool everyOtherSuffices(const GeodeticNet& fine, int columns, int rows)
     return true;
 }
 
-/// Fills undefined nodes that only padding uses with the nearest node that data use. Returns whether all nodes that data use are
-/// defined.
+/// Fills undefined nodes that only padding uses with the nearest node that data use. Returns whether all
+/// nodes that data use are defined.
 bool completePadding(GeodeticNet& net, int columns, int rows)
 {
     const int lastA = nodesInUse(net, columns) - 1, lastB = nodesInUse(net, rows) - 1;

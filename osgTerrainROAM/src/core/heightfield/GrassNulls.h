@@ -10,8 +10,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Finds the null values ("*") of a GRASS ASCII grid, as indices in file order. GDAL reads them as 0, which on a coast is an
-/// ordinary height.
+/// Finds the null values ("*") of a GRASS ASCII grid, as indices in file order. GDAL reads them as 0, which
+/// on a coast is an ordinary height.
 /// Source: GRASS GIS manual, r.in.ascii: a header of "key: value" lines, then rows of numbers or null
 /// strings.
 /// Errors: the file holds fewer values than `expected`.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The height of the full-resolution surface: a vertical line (z axis of the local frame) is intersected with the triangle at it. On
-// the curved Earth the horizontal position of a sample depends on its height, so the triangle is found by fixed-point iteration:
-// the linear map of each triangle tried gives the line's grid coordinates, and these the next triangle.
+// The height of the full-resolution surface: a vertical line (z axis of the local frame) is intersected with
+// the triangle at it. On the curved Earth the horizontal position of a sample depends on its height, so the
+// triangle is found by fixed-point iteration: the linear map of each triangle tried gives the line's grid
+// coordinates, and these the next triangle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,9 +19,9 @@ namespace
 /// A triangle of the finest level by grid corners, counter-clockwise from above.
 using GridTriangle = std::array<glm::ivec2, 3>;
 
-/// The half of cell (column, row) that contains the point at `fraction` (0…1 each way). Every diagonal of the finest level joins
-/// samples whose column + row is even: samples of odd column and odd row are centres of the last diamonds, joined to the four
-/// even-even corners around them.
+/// The half of cell (column, row) that contains the point at `fraction` (0…1 each way). Every diagonal of the
+/// finest level joins samples whose column + row is even: samples of odd column and odd row are centres of
+/// the last diamonds, joined to the four even-even corners around them.
 GridTriangle triangleIn(glm::ivec2 cell, glm::dvec2 fraction)
 {
     const glm::ivec2 sw = cell, se = cell + glm::ivec2(1, 0), nw = cell + glm::ivec2(0, 1),
@@ -61,7 +62,8 @@ public:
                 static_cast<int>(std::clamp(std::floor(grid.y), 0.0, _tile.grid().dataRows() - 2.0))};
     }
 
-    /// Iterates over the triangles' own maps. A few steps suffice, except in steep relief far from the tile's origin.
+    /// Iterates over the triangles' own maps. A few steps suffice, except in steep relief far from the tile's
+    /// origin.
     std::optional<VerticalHit> follow(glm::dvec2& grid) const
     {
         constexpr int kMaxSteps = 12;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surface of TileSamples between the samples: the raster with its sheets over it. And the blend of each sheet's border into the
-// surface below it.
+// Surface of TileSamples between the samples: the raster with its sheets over it. And the blend of each
+// sheet's border into the surface below it.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,7 +13,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Interpolates on one of the two triangles of a cell; the diagonal joins points whose column + row, in cells, is even.
+/// Interpolates on one of the two triangles of a cell; the diagonal joins points whose column + row, in
+/// cells, is even.
 template<class HeightAt>
 double heightInCell(int column, int row, int west, int south, int step, const HeightAt& heightAt)
 {
@@ -76,7 +77,8 @@ const SampleSheet* TileSamples::sheetAt(int column, int row) const
     return nullptr;
 }
 
-/// Lays sheets over the raster, coarse before fine, and blends each into the surface below over its outermost cells.
+/// Lays sheets over the raster, coarse before fine, and blends each into the surface below over its outermost
+/// cells.
 void TileSamples::laySheets(std::vector<DensePart> parts, Storage storage)
 {
     _sheets.reserve(parts.size());

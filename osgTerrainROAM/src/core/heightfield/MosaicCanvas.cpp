@@ -89,7 +89,8 @@ double spacingBelow(std::span<const LaidRaster> laid, const GridRect& rect)
     return std::min(widestM, withinM);
 }
 
-/// Four samples of the bent raster and some points of the grid; fewer for a raster of which only every n-th sample is used.
+/// Four samples of the bent raster and some points of the grid; fewer for a raster of which only every n-th
+/// sample is used.
 int bendingReach(double gridM, double rasterM, double belowM)
 {
     constexpr double kSlack = 0.01;
@@ -147,7 +148,8 @@ Raster MosaicCanvas::take() &&
     return raster;
 }
 
-/// Works row by row; between reference systems PROJ transforms every kEvery-th point, and the rest is interpolated.
+/// Works row by row; between reference systems PROJ transforms every kEvery-th point, and the rest is
+/// interpolated.
 void MosaicCanvas::sampleInto(HeightSheet& sheet, const Raster& raster, const FrameTransform& transform,
                               double stepPlaces)
 {
@@ -167,8 +169,8 @@ void MosaicCanvas::sampleInto(HeightSheet& sheet, const Raster& raster, const Fr
     }
 }
 
-/// Notes that a raster comes within `beyond` grid steps of a point. A pixel is as wide as its raster's step: where the pixels of two
-/// rasters meet, there is no gap between them.
+/// Notes that a raster comes within `beyond` grid steps of a point. A pixel is as wide as its raster's step:
+/// where the pixels of two rasters meet, there is no gap between them.
 void MosaicCanvas::mark(int column, int row, double beyond, double stepPlaces)
 {
     constexpr double kSlack = 0.01;

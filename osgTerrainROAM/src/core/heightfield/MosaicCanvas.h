@@ -25,8 +25,8 @@ struct LaidRaster
     double spacingM;
 };
 
-/// The sample spacing that a raster over `rect` meets along its outline: that of the finest other raster that contains it, or else
-/// the widest. 0: there are no others.
+/// The sample spacing that a raster over `rect` meets along its outline: that of the finest other raster that
+/// contains it, or else the widest. 0: there are no others.
 double spacingBelow(std::span<const LaidRaster> laid, const GridRect& rect);
 
 /// Tells whether a raster is so much finer than a grid that only every n-th of its samples is used; metres.

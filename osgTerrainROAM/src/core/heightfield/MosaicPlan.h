@@ -28,8 +28,10 @@ struct MosaicPlan
     std::vector<PlannedPart> parts; ///< coarse before fine
 };
 
-/// Plans one grid for all sources where that is not too large; otherwise a coarser one, and parts around finer rasters.
-/// `sources`: coarse before fine. Errors: a source that cannot be related to the others; parts that are too large.
+/// Plans one grid for all sources where that is not too large; otherwise a coarser one, and parts around
+/// finer rasters.
+/// `sources`: coarse before fine. Errors: a source that cannot be related to the others; parts that are too
+/// large.
 foundation::Result<MosaicPlan> planMosaic(std::span<const MosaicSource> sources, GdalSession& gdal);
 
 /// A grid with 2^exponent times the spacing (a negative exponent: a finer grid) and the same first point.

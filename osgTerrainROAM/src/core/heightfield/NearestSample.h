@@ -9,8 +9,8 @@ namespace osgTerrainROAM::core
 {
 
 /// For each point of a grid, the nearest of the marked points and its distance.
-/// Source: Danielsson, *Euclidean Distance Mapping*, 1980: two sweeps propagate the offset to the nearest point; distances are less
-/// than one grid step above the exact ones.
+/// Source: Danielsson, *Euclidean Distance Mapping*, 1980: two sweeps propagate the offset to the nearest
+/// point; distances are less than one grid step above the exact ones.
 class NearestSample
 {
 public:

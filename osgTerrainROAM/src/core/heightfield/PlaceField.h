@@ -11,8 +11,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Gives a field its net and its spacing from the raster's georeference; without one, the field stays planar. Of the field its name,
-/// columns and rows are known; heights are not looked at.
+/// Gives a field its net and its spacing from the raster's georeference; without one, the field stays planar.
+/// Of the field its name, columns and rows are known; heights are not looked at.
 /// Errors: no georeference and no spacing; a georeference that cannot be used.
 foundation::Outcome placeField(HeightField& field, Raster& raster, const DemImportOptions& options,
                                GdalSession& gdal);

@@ -21,8 +21,8 @@ using foundation::Error;
 using foundation::Outcome;
 using foundation::Result;
 
-/// Reads all rows in file order, one by one: when a header promises more than the file holds, no more memory is touched than the
-/// file's content needs.
+/// Reads all rows in file order, one by one: when a header promises more than the file holds, no more memory
+/// is touched than the file's content needs.
 Outcome readSamples(const RasterSource& source, GdalSession& gdal, Raster& raster)
 {
     SampleDecoder decoder(source.band());

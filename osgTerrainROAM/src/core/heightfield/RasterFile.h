@@ -17,8 +17,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// The locations of a raster's samples in its own coordinate reference system. A sample is the centre of GDAL's pixel, for area
-/// and point rasters alike (GDAL itself shifts the latter by half a pixel).
+/// The locations of a raster's samples in its own coordinate reference system. A sample is the centre of
+/// GDAL's pixel, for area and point rasters alike (GDAL itself shifts the latter by half a pixel).
 struct GridFrame
 {
     double firstX, firstY; ///< of the south-western sample

@@ -17,12 +17,13 @@ struct RasterTurn
     bool flipsRows = false, flipsColumns = false;
 };
 
-/// Reads the georeference of a dataset into raster.frame, without touching samples. `raster`: columns and rows are known.
+/// Reads the georeference of a dataset into raster.frame, without touching samples. `raster`: columns and
+/// rows are known.
 /// Errors: a rotated grid, an invalid georeference.
 foundation::Result<RasterTurn> readOrientation(const std::string& name, GDALDatasetH dataset, Raster& raster);
 
-/// Reads the georeference of a dataset and reorders the samples from file order so that rows run north and columns east. An image
-/// without georeference begins at the top.
+/// Reads the georeference of a dataset and reorders the samples from file order so that rows run north and
+/// columns east. An image without georeference begins at the top.
 /// Errors: a rotated grid, an invalid georeference.
 foundation::Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& raster);
 

@@ -47,8 +47,8 @@ namespace
 
 constexpr int kMaxSide = 32769; ///< the largest tile whose samples a 32-bit index can number
 
-/// Finds truncated DTED files. GDAL reads missing profiles at the end as voids, because a cell may be partial; a file that claims to
-/// be complete and lacks some has been truncated.
+/// Finds truncated DTED files. GDAL reads missing profiles at the end as voids, because a cell may be
+/// partial; a file that claims to be complete and lacks some has been truncated.
 /// RasterSource: MIL-PRF-89020B: 3428 bytes of header, then per profile 12 bytes around its 2-byte heights.
 bool isCutShortDted(const RasterSource& source)
 {

@@ -33,7 +33,8 @@ struct RasterSource
 /// Opens a raster, inside zip and gzip archives too. Errors: missing, a folder, not a raster GDAL knows.
 foundation::Result<RasterSource> openSource(const std::filesystem::path& file, GdalSession& gdal);
 
-/// Tells a raster of heights from others. Errors: not one band of plain numbers, too few or too many samples, truncated.
+/// Tells a raster of heights from others. Errors: not one band of plain numbers, too few or too many samples,
+/// truncated.
 foundation::Outcome checkShape(const RasterSource& source);
 
 bool isDriver(const RasterSource& source, const char* name);

@@ -8,8 +8,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Converts a band's numbers to metres by its unit, scale and offset. Values that are no heights become NaN: the nodata value, NaN,
-/// and heights outside the Earth's range.
+/// Converts a band's numbers to metres by its unit, scale and offset. Values that are no heights become NaN:
+/// the nodata value, NaN, and heights outside the Earth's range.
 class SampleDecoder
 {
 public:

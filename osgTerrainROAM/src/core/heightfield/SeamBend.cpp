@@ -98,7 +98,8 @@ private:
         return static_cast<float>(_sheet.at(column, row) - groundM);
     }
 
-    /// The known values: the difference on the outline, the same inside it (of the nearest outline point), zero out of reach.
+    /// The known values: the difference on the outline, the same inside it (of the nearest outline point),
+    /// zero out of reach.
     void solve(const std::vector<std::uint8_t>& isOutline)
     {
         const NearestSample outline(isOutline, _difference.columns(), _difference.rows());

@@ -36,9 +36,10 @@ struct SeamReport
     double largestM = 0.0; ///< largest disagreement of the data along the seams
 };
 
-/// Bends `ground` within `reach` grid steps of the outline of `sheet`, which will lie over it, so that both have the same height
-/// there. The difference on the outline fades out as the spline in tension that also fills voids: smoothly and within its own
-/// range. The sheet stays as measured. Where `ground` ends at the outline, it is extrapolated linearly.
+/// Bends `ground` within `reach` grid steps of the outline of `sheet`, which will lie over it, so that both
+/// have the same height there. The difference on the outline fades out as the spline in tension that also
+/// fills voids: smoothly and within its own range. The sheet stays as measured. Where `ground` ends at the
+/// outline, it is extrapolated linearly.
 SeamReport bendTowards(HeightSheet& ground, const HeightSheet& sheet, int reach);
 
 } // namespace osgTerrainROAM::core

@@ -34,8 +34,8 @@ private:
     double _denominator = 0.0;
 };
 
-/// The height at (c, r) that minimises the energy near the grid's edge. Terms that reach beyond are left out: the spline's natural
-/// boundary condition.
+/// The height at (c, r) that minimises the energy near the grid's edge. Terms that reach beyond are left out:
+/// the spline's natural boundary condition.
 double minimiserAtEdge(const VoidLevel& level, int c, int r, double stretch)
 {
     EnergyAt energy;

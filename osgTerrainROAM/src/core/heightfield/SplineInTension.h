@@ -31,10 +31,12 @@ struct VoidLevel
     }
 };
 
-/// Relaxes the voids to the surface of least bending and tension through the known samples: it minimises the sum, over all cells,
-/// of squared second differences and, weighted by 1/(12 samples)², of squared first differences.
-/// Source: Smith & Wessel, *Gridding with Continuous Curvature Splines in Tension*, 1990. Differs: the energy is minimised
-/// directly, by successive over-relaxation projected onto the cells' ranges; the tension is given as a length, not as a factor.
+/// Relaxes the voids to the surface of least bending and tension through the known samples: it minimises the
+/// sum, over all cells, of squared second differences and, weighted by 1/(12 samples)², of squared first
+/// differences.
+/// Source: Smith & Wessel, *Gridding with Continuous Curvature Splines in Tension*, 1990. Differs: the energy
+/// is minimised directly, by successive over-relaxation projected onto the cells' ranges; the tension is
+/// given as a length, not as a factor.
 /// Cost: about 10 ns per void and sweep, at most 200 sweeps.
 void relaxSpline(VoidLevel& level);
 

@@ -47,7 +47,8 @@ TileSamples::Sample TileSamples::sampleBetween(int column, int row) const
     return kept ? Sample{heightM, kept->errorM, kept->radiusM} : Sample{heightM, 0.0f, 0.0f};
 }
 
-/// Looks at those corners of the raster's finest triangle whose height counts at a point: two, where it lies on an edge.
+/// Looks at those corners of the raster's finest triangle whose height counts at a point: two, where it lies
+/// on an edge.
 bool TileSamples::isGroundBetween(int column, int row) const
 {
     const int step = _grid.cellSide();

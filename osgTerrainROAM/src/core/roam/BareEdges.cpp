@@ -17,7 +17,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Edges of one part of the mesh that no other triangle of that part has, but for those at the edge of the data.
+/// Edges of one part of the mesh that no other triangle of that part has, but for those at the edge of the
+/// data.
 std::vector<SlotEdge> endsOfParts(const PlacedTile& tile, const DrawnMesh& mesh)
 {
     std::vector<std::uint32_t> slots(mesh.grid.size());
@@ -60,7 +61,8 @@ public:
                       {
                           for (const std::uint32_t i : triangles)
                           {
-                              // In more than one square, both extents have their lowest common point in one of them.
+                              // In more than one square, both extents have their lowest common point in one
+                              // of them.
                               const GridRect common = _extents[i].cutTo(around);
                               if (!common.isEmpty() && common.west / kSide == square.west &&
                                   common.south / kSide == square.south)
@@ -105,7 +107,8 @@ void cutTo(Interval& part, double at0, double at1)
         part.second = std::min(part.second, -at0 / slope);
 }
 
-/// The part of an edge, from 0 at its beginning to 1 at its end, over which a triangle lies above it; second < first: none.
+/// The part of an edge, from 0 at its beginning to 1 at its end, over which a triangle lies above it; second
+/// < first: none.
 Interval coveredBy(const DrawnMesh& mesh, const LeafTriangle& t, const SlotEdge& edge)
 {
     constexpr double kRounding = 1e-12; // the edge may run along a side of the triangle

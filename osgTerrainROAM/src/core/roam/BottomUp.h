@@ -6,8 +6,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Calls visit(v, children[], count) for every vertex that splits triangles of a bintree over side × side samples,
-/// deepest level first. Children: the vertices in the middle of the legs of its diamond, as far as they are in the tile.
+/// Calls visit(v, children[], count) for every vertex that splits triangles of a bintree over side × side
+/// samples, deepest level first. Children: the vertices in the middle of the legs of its diamond, as far as
+/// they are in the tile.
 template<class Visit>
 void forEachDiamondBottomUp(int side, const Visit& visit)
 {

@@ -20,8 +20,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Finds the largest distance of samples from a triangle's plane; each is compared with the point of the plane that has the
-/// same position in the grid.
+/// Finds the largest distance of samples from a triangle's plane; each is compared with the point of the
+/// plane that has the same position in the grid.
 class PlaneError
 {
 public:
@@ -128,8 +128,8 @@ void BoundsUpdate::visitLevel(int half, bool isCentre)
         visit(wanted[i], measured[i]);
 }
 
-/// Measures the diamonds that are small enough, in several threads where there are many: no vertex of a level changes what is measured of
-/// another. NaN: not measured.
+/// Measures the diamonds that are small enough, in several threads where there are many: no vertex of a level
+/// changes what is measured of another. NaN: not measured.
 std::vector<double> BoundsUpdate::measuredAtOnce(const std::vector<Wanted>& wanted) const
 {
     std::vector<double> measured(wanted.size(), std::numeric_limits<double>::quiet_NaN());
@@ -151,8 +151,9 @@ std::vector<double> BoundsUpdate::measuredAtOnce(const std::vector<Wanted>& want
     return measured;
 }
 
-/// Collects the vertices of a level whose diamonds touch changed samples. On a level finer than the changed samples only
-/// samples of sheets, samples that edits have added between them, and vertices beside these can have an error.
+/// Collects the vertices of a level whose diamonds touch changed samples. On a level finer than the changed
+/// samples only samples of sheets, samples that edits have added between them, and vertices beside these can
+/// have an error.
 void BoundsUpdate::collect(const ChangedPlaces& changed, int half, bool isCentre,
                            std::vector<Wanted>& wanted) const
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 4 (split, forced split, merge of diamonds).
-// Differs: the vertices with their diamonds are stored, not the triangles. Two diamonds that share an edge belong to the
-// same corner, in neighbouring quadrants, so a neighbour is found in two steps.
+// Differs: the vertices with their diamonds are stored, not the triangles. Two diamonds that share an edge
+// belong to the same corner, in neighbouring quadrants, so a neighbour is found in two steps.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -22,7 +22,8 @@ DiamondTree::DiamondTree(SplitBounds bounds, LeafPlacement placement)
                          tile().tile.grid().side()),
       _leaves(tile().regions.regionCount() + 1, placement)
 {
-    // The corners are stored as if they had split a larger triangle: the apexes of the two roots have one quadrant each.
+    // The corners are stored as if they had split a larger triangle: the apexes of the two roots have one
+    // quadrant each.
     const auto [first, second] = rootTriangles(tile().tile.grid().side());
     const GridPoint corners[kCorners] = {first.apex, second.apex, first.left, first.right};
     for (const GridPoint p : corners)
@@ -98,7 +99,8 @@ bool DiamondTree::isDrawn(TriangleId t) const
     return _dataFillsTile || core::isDrawn(tile().tile, gridTriangle(t));
 }
 
-/// Stores the slots that the arena has written in the links. A slot may have been written more than once, or be unused now.
+/// Stores the slots that the arena has written in the links. A slot may have been written more than once, or
+/// be unused now.
 void DiamondTree::relink()
 {
     for (; _linked < _changes.triangles.size(); ++_linked)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exhaustive check of DiamondTree::isConforming. It uses neither neighbours nor levels: it matches the edges of all
-// leaves by their end samples, so a T-junction shows as an edge without a twin.
+// The exhaustive check of DiamondTree::isConforming. It uses neither neighbours nor levels: it matches the
+// edges of all leaves by their end samples, so a T-junction shows as an edge without a twin.
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -67,8 +67,8 @@ std::vector<TriangleId> leavesOf(const DiamondTree& tree)
 
 } // namespace
 
-/// Whether a vertex lies in the middle of the base of the triangles that it has split, one level below, and their links name
-/// it.
+/// Whether a vertex lies in the middle of the base of the triangles that it has split, one level below, and
+/// their links name it.
 bool DiamondTree::linksAreSound(VertexSlot v) const
 {
     const DiamondPlace& place = _places[v];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the leaf by descending the bintree to the position in the sample grid. On the curved Earth a sample's horizontal
-// position depends on its height, so the vertical line may miss this leaf by a little: a walk over neighbours corrects it.
+// Finds the leaf by descending the bintree to the position in the sample grid. On the curved Earth a sample's
+// horizontal position depends on its height, so the vertical line may miss this leaf by a little: a walk over
+// neighbours corrects it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +34,8 @@ VerticalHit meet(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
     return verticalHit(positions, grid, place);
 }
 
-/// Whether a grid position lies on the right corner's side of the line from the apex to the middle of the base.
+/// Whether a grid position lies on the right corner's side of the line from the apex to the middle of the
+/// base.
 bool isOnTheRight(GridPoint apex, GridPoint mid, const glm::dvec2& grid)
 {
     return (mid.column - apex.column) * (grid.y - apex.row) - (mid.row - apex.row) * (grid.x - apex.column) >
@@ -81,7 +83,8 @@ bool isBeyondData(const PlacedTile& tile, const glm::dvec2& grid)
            grid.y > tile.grid().dataRows() - 1 + kEdgeSlack;
 }
 
-/// Computes how far the true surface may be from a leaf, or from its patch, when none of its vertices is displaced.
+/// Computes how far the true surface may be from a leaf, or from its patch, when none of its vertices is
+/// displaced.
 double boundM(const DiamondTree& tree, TriangleId leaf)
 {
     return tree.canSplit(leaf) ? tree.bounds().errorM(tree.middle(leaf)) : 0.0;

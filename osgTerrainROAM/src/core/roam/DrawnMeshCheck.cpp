@@ -100,7 +100,8 @@ private:
         return static_cast<std::uint64_t>(p.row) << 32 | static_cast<std::uint64_t>(p.column);
     }
 
-    /// Where the corners of a triangle are drawn on the grid, if any of them is not above or below its sample.
+    /// Where the corners of a triangle are drawn on the grid, if any of them is not above or below its
+    /// sample.
     std::optional<MovedTriangle> movedSideways(const DrawnMesh& mesh, const LeafTriangle& t) const
     {
         constexpr double kAside = 0.01; // of a point of the grid; less is the Earth's curvature
@@ -119,8 +120,8 @@ private:
         return isMoved ? std::optional(moved) : std::nullopt;
     }
 
-    /// Compares the samples that a triangle covers with the places of its corners as they are drawn. One without extent covers none:
-    /// a vertex has just begun to move.
+    /// Compares the samples that a triangle covers with the places of its corners as they are drawn. One
+    /// without extent covers none: a vertex has just begun to move.
     void visit(const DrawnMesh& mesh, const LeafTriangle& t, const MovedTriangle& moved)
     {
         const PlacedTile& placed = _tile.tile;
@@ -166,8 +167,8 @@ private:
             step());
     }
 
-    /// Measures the distance of missing samples that are drawn, and of present ones that are not, from the nearest of the
-    /// other kind.
+    /// Measures the distance of missing samples that are drawn, and of present ones that are not, from the
+    /// nearest of the other kind.
     void compareOutline()
     {
         const PlacedTile& placed = _tile.tile;
@@ -214,8 +215,8 @@ private:
             if (sheets[i].holds(p.column, p.row)) _sheetsCovered[i][sheets[i].index(p.column, p.row)] = true;
     }
 
-    /// Tests a sphere around the triangle thickened by its error: whether any of its samples can be visible. A triangle that is none of
-    /// the bintree may be off by all of the relief.
+    /// Tests a sphere around the triangle thickened by its error: whether any of its samples can be visible.
+    /// A triangle that is none of the bintree may be off by all of the relief.
     bool mayBeSeen(const PlanTriangle& plan, const glm::dvec3& a, const glm::dvec3& du,
                    const glm::dvec3& dw) const
     {
@@ -254,7 +255,8 @@ private:
         _maxErrorPx = std::max(_maxErrorPx, errorPx(*_view, sample, drawn));
     }
 
-    /// From the lowest sample to the highest, along the frame's third axis; infinite where samples lie between those of the raster.
+    /// From the lowest sample to the highest, along the frame's third axis; infinite where samples lie
+    /// between those of the raster.
     static double reliefOf(const PlacedTile& tile)
     {
         if (tile.grid().exponent() > 0) return std::numeric_limits<double>::infinity();
@@ -281,7 +283,8 @@ private:
     double _maxErrorPx = 0.0;
 };
 
-/// Whether a vertex is drawn where its sample lies, but for rounding, or below it if it hangs under other parts.
+/// Whether a vertex is drawn where its sample lies, but for rounding, or below it if it hangs under other
+/// parts.
 bool isInPlace(const PlacedTile& tile, const DrawnMesh& mesh, std::uint32_t vertex)
 {
     const GridPoint p = mesh.grid[vertex];

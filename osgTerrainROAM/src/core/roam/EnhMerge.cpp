@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (enhMerge).
-// Differs: the paper descends from neighbour to neighbour. Among diamonds the removed vertices are simply all descendants:
-// a vertex is removed when one of its two parents is. The new leaves are found afterwards: triangles that were split by a
-// removed vertex with one remaining parent.
+// Differs: the paper descends from neighbour to neighbour. Among diamonds the removed vertices are simply all
+// descendants: a vertex is removed when one of its two parents is. The new leaves are found afterwards:
+// triangles that were split by a removed vertex with one remaining parent.
 #include <cassert>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
@@ -22,7 +22,8 @@ std::uint32_t DiamondTree::enhMerge(VertexSlot v)
         if (next + kAhead < _freeSlots.size()) __builtin_prefetch(&_diamonds[_freeSlots[next + kAhead]]);
         merges += takeApart(_freeSlots[next]);
     }
-    // A new leaf takes the slot of a leaf that was below it; leaves coarser than a region take any slot, after the others.
+    // A new leaf takes the slot of a leaf that was below it; leaves coarser than a region take any slot,
+    // after the others.
     const auto forEachNewLeaf = [&](auto add)
     {
         for (std::size_t i = first; i < _freeSlots.size(); ++i)
@@ -57,8 +58,8 @@ std::uint32_t DiamondTree::enhMerge(VertexSlot v)
     return merges;
 }
 
-/// Cuts the leaves around a vertex out of the arena, and removes its child vertices. Returns the number of triangles that
-/// it had split.
+/// Cuts the leaves around a vertex out of the arena, and removes its child vertices. Returns the number of
+/// triangles that it had split.
 std::uint32_t DiamondTree::takeApart(VertexSlot v)
 {
     bool atBorder = false;

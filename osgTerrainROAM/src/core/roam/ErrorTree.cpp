@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact error bounds of a triangle bintree: every data sample is compared with the plane of every triangle that holds it,
-// then errors and radii are nested over the diamonds.
-// Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (nesting). Differs: they take the error
-// of a triangle from its split vertex alone, which does not bound the error of the samples between.
+// Exact error bounds of a triangle bintree: every data sample is compared with the plane of every triangle
+// that holds it, then errors and radii are nested over the diamonds.
+// Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (nesting). Differs: they
+// take the error of a triangle from its split vertex alone, which does not bound the error of the samples
+// between.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -38,7 +39,8 @@ public:
                     mask.holds(column, row) ? tile.position(column, row) : kNoSample;
     }
 
-    /// The first column's position in a row of the data, and behind it the others'; kNoSample where there is none.
+    /// The first column's position in a row of the data, and behind it the others'; kNoSample where there is
+    /// none.
     const glm::dvec3* row(int row) const { return &_positions[static_cast<std::size_t>(row) * _columns]; }
 
     /// The position of any point of the padded raster.
@@ -69,9 +71,10 @@ public:
     {
     }
 
-    /// Errors of the triangle (apex, left, right) and everything below it, depth first: the samples of the small
-    /// triangles are still in the cache when the larger ones read them again. Two threads may measure the two
-    /// roots: they meet only at split vertices on the shared base, where the larger error wins in any order.
+    /// Errors of the triangle (apex, left, right) and everything below it, depth first: the samples of the
+    /// small triangles are still in the cache when the larger ones read them again. Two threads may measure
+    /// the two roots: they meet only at split vertices on the shared base, where the larger error wins in any
+    /// order.
     void measure(const GridTriangle& t, int level)
     {
         if (level == _tile.levels() || outsideData(t)) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mesh follows edits of its tile: moved vertices are written again, and vertices with changed bounds are checked in the
-// next refinement.
+// The mesh follows edits of its tile: moved vertices are written again, and vertices with changed bounds are
+// checked in the next refinement.
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
 namespace osgTerrainROAM::core

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descends the bintree along a ray. The surface below a triangle is within e_v of it: within a sphere about the middle of
-// its base, and within a slab about its plane. A ray that is never in both at once misses it.
+// Descends the bintree along a ray. The surface below a triangle is within e_v of it: within a sphere about
+// the middle of its base, and within a slab about its plane. A ray that is never in both at once misses it.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -116,7 +116,8 @@ bool Horizon::hides(const glm::dvec3& centre, double radiusM, double highestM) c
                            _depthM * (2.0 * kBallM - _depthM);
     const double beyondM = nearestM - _tangentM;
     if (reachM2 > 0.0 && beyondM * beyondM < reachM2) return false;
-    // The line enters the ground after this share of its length, at most: up to there it has to be over the data.
+    // The line enters the ground after this share of its length, at most: up to there it has to be over the
+    // data.
     const double share = _tangentM / nearestM;
     for (std::size_t i = 0; i < _insideM.size(); ++i)
     {

@@ -54,7 +54,8 @@ void LeafArena::split(std::uint32_t slot, TriangleId earlier, TriangleId later, 
     const std::uint32_t index = arenaAt(slot);
     Arena& arena = _arenas[index];
     const std::uint32_t place = slot - arena.first, last = arena.slots() - 1;
-    // The number of leaves between it and the nearest gap, on either side; there is no gap beyond the arena's ends.
+    // The number of leaves between it and the nearest gap, on either side; there is no gap beyond the arena's
+    // ends.
     const auto after = static_cast<std::uint32_t>(std::countr_one(arena.used >> place)) - 1;
     const auto before = static_cast<std::uint32_t>(std::countl_one(arena.used << (63 - place))) - 1;
     const bool isAfter = place + after < last && (after <= before || before == place);

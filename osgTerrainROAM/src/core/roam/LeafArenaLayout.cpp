@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The layout of a region's arenas: how they grow, split, join and shrink, and where their leaves lie.
-// Source: Bayer & McCreight, *Organization and maintenance of large ordered indexes*, 1972 (the leaves of a B-tree).
+// Source: Bayer & McCreight, *Organization and maintenance of large ordered indexes*, 1972 (the leaves of a
+// B-tree).
 // Differs: there is no tree above them, because a leaf's slot leads to its arena.
 #include <algorithm>
 #include <bit>
@@ -14,7 +15,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// In eighths of an arena's slots: the number of leaves at which it shrinks or joins, and the most that two joined may have.
+/// In eighths of an arena's slots: the number of leaves at which it shrinks or joins, and the most that two
+/// joined may have.
 constexpr std::uint32_t kFew = 3, kMany = 6;
 
 } // namespace

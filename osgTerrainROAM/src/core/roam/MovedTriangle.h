@@ -26,7 +26,8 @@ struct MovedTriangle
         return u.x * w.y - u.y * w.x;
     }
 
-    /// Whether a corner lies beyond the opposite side by more than vertices are rounded: one that has just begun to move lies on it.
+    /// Whether a corner lies beyond the opposite side by more than vertices are rounded: one that has just
+    /// begun to move lies on it.
     bool isTurnedOver() const
     {
         const double longest =
@@ -35,7 +36,8 @@ struct MovedTriangle
         return doubleArea() < -kRounding * std::max(longest, 1.0);
     }
 
-    /// Calls visit(column, row, u, w) for the samples of the raster in it: a sample lies at c0 + u (c1 - c0) + w (c2 - c0).
+    /// Calls visit(column, row, u, w) for the samples of the raster in it: a sample lies at c0 + u (c1 - c0)
+    /// + w (c2 - c0).
     /// Precondition: doubleArea() > kRounding.
     template<class Visit>
     void forEachSample(const PlacedTile& tile, const Visit& visit) const

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point to triangle: C. Ericson, "Real-Time Collision Detection" (2005), §5.1.5, as the least of the plane's foot
-// point (when it falls inside) and the three edges.
+// Point to triangle: C. Ericson, "Real-Time Collision Detection" (2005), §5.1.5, as the least of the plane's
+// foot point (when it falls inside) and the three edges.
 #include <algorithm>
 #include <array>
 #include <limits>

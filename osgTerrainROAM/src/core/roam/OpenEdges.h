@@ -9,8 +9,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Finds the edges of a drawn mesh that should have a twin and have none: T-junctions. Edges along holes of the data have no
-/// twin; there an edge counts only if another edge without a twin runs along it in the opposite sense.
+/// Finds the edges of a drawn mesh that should have a twin and have none: T-junctions. Edges along holes of
+/// the data have no twin; there an edge counts only if another edge without a twin runs along it in the
+/// opposite sense.
 std::size_t tJunctions(const PlacedTile& tile, const DrawnMesh& mesh);
 
 } // namespace osgTerrainROAM::core

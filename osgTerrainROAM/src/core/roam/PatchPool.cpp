@@ -13,8 +13,9 @@ PatchPool::PatchPool(const DiamondTree& tree) : _shape(&PatchShape::of(tree.boun
         if (const TriangleId t = tree.leaves().leaf(arenaSlot); t.exists()) take(tree, t);
 }
 
-/// Releases slots first: of removed vertices, of vertices whose slot in the pool another vertex has taken since, and of split
-/// triangles. Then a new leaf of the arena has no slot, and a leaf that only moved still has its own.
+/// Releases slots first: of removed vertices, of vertices whose slot in the pool another vertex has taken
+/// since, and of split triangles. Then a new leaf of the arena has no slot, and a leaf that only moved still
+/// has its own.
 void PatchPool::follow(const DiamondTree& tree)
 {
     _written.clear();
@@ -62,8 +63,8 @@ void PatchPool::rewrite(const DiamondTree& tree, TriangleId leaf)
     _written.push_back(slot);
 }
 
-/// Bounds a patch: data samples of a triangle are within its error of the plane of the leaf without a patch. Vertices beyond
-/// the data's edge may be farther.
+/// Bounds a patch: data samples of a triangle are within its error of the plane of the leaf without a patch.
+/// Vertices beyond the data's edge may be farther.
 PatchPool::Patch PatchPool::boundOf(const RoamTile& tile, const GridTriangle& t) const
 {
     const auto position = [&](GridPoint p) { return tile.tile.position(p.column, p.row); };

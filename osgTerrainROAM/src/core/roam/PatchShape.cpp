@@ -11,7 +11,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Bisects a leaf k times, in a grid whose origin is the apex and whose axes are the legs: the left one along the columns.
+/// Bisects a leaf k times, in a grid whose origin is the apex and whose axes are the legs: the left one along
+/// the columns.
 class Bisection
 {
 public:

@@ -32,7 +32,8 @@ QueueDriver::QueueDriver(DiamondTree& tree, const viewlod::ViewState& view, doub
     std::make_heap(_merges.begin(), _merges.end());
 }
 
-/// Computes the priority, on the side of the tolerance that the predicate decides, whatever the rounding of the quotient.
+/// Computes the priority, on the side of the tolerance that the predicate decides, whatever the rounding of
+/// the quotient.
 double QueueDriver::priority(const SplitBound& bound)
 {
     ++_result.checks;

@@ -16,8 +16,8 @@ namespace osgTerrainROAM::core
 
 /// Adapts a tree with two queues by priority: triangles that can split, diamonds that can merge.
 /// Refining by priority is optimal: no other mesh with as many triangles has a smaller largest bound.
-/// It computes all priorities anew in every frame, which costs more than refining from scratch (4.4 ms for 10 000 triangles
-/// against 0.4 ms, one thread at about 3 GHz): it serves as a reference.
+/// It computes all priorities anew in every frame, which costs more than refining from scratch (4.4 ms for 10
+/// 000 triangles against 0.4 ms, one thread at about 3 GHz): it serves as a reference.
 /// Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 5 (the two queues).
 class QueueDriver
 {
@@ -25,8 +25,9 @@ public:
     QueueDriver(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
                 std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result);
 
-    /// Splits triangles above the tolerance while there is room; merges diamonds below it, or of least priority to make room.
-    /// Writes the tolerance reached into the result. Returns false when the slice ended before.
+    /// Splits triangles above the tolerance while there is room; merges diamonds below it, or of least
+    /// priority to make room. Writes the tolerance reached into the result. Returns false when the slice
+    /// ended before.
     bool refine();
 
 private:

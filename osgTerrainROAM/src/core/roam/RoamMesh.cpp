@@ -50,10 +50,10 @@ bool RoamMesh::run(const viewlod::ViewState& view, double tolerancePx, std::uint
     return WalkDriver(_tree, active, maxLeaves, slice, result).refine();
 }
 
-/// Runs the walk or the wheel at the lowest tolerance that the ceiling allows. A mesh that was at the ceiling starts with its
-/// last tolerance: while the leaves stay in a band below the ceiling, nothing else is necessary; a small change of the
-/// tolerance brings them back into it. Otherwise a sweep over the bintree finds the tolerance.
-/// Returns false when the slice has ended before.
+/// Runs the walk or the wheel at the lowest tolerance that the ceiling allows. A mesh that was at the ceiling
+/// starts with its last tolerance: while the leaves stay in a band below the ceiling, nothing else is
+/// necessary; a small change of the tolerance brings them back into it. Otherwise a sweep over the bintree
+/// finds the tolerance. Returns false when the slice has ended before.
 bool RoamMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::Budget& budget,
                                 viewlod::Slice& slice, RefineResult& result)
 {

@@ -12,8 +12,9 @@ namespace osgTerrainROAM::core
 /// The position of a missing sample: its distance from a plane is not larger than any other.
 inline constexpr glm::dvec3 kNoSample{std::numeric_limits<double>::quiet_NaN()};
 
-/// Returns the largest squared distance of `count` consecutive samples from a plane, or `largest` if that is larger. The
-/// plane's point for sample k is start + (first + k)·perSample: no division, and no error that grows along the row.
+/// Returns the largest squared distance of `count` consecutive samples from a plane, or `largest` if that is
+/// larger. The plane's point for sample k is start + (first + k)·perSample: no division, and no error that
+/// grows along the row.
 inline double largestSquared(double largest, const glm::dvec3* samples, int count, const glm::dvec3& start,
                              const glm::dvec3& perSample, int first)
 {

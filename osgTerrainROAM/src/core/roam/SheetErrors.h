@@ -11,8 +11,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Measures the samples of a tile's sheets against the planes of triangles. It stores all their positions while it exists:
-/// 24 B a sample.
+/// Measures the samples of a tile's sheets against the planes of triangles. It stores all their positions
+/// while it exists: 24 B a sample.
 class SheetErrors
 {
 public:

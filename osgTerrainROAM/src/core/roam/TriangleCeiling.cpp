@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tolerance at the triangle ceiling. Priorities nest, so the mesh at a tolerance has two triangles and one more for
-// each triangle of the bintree whose priority exceeds it; the tolerance is therefore an order statistic of the priorities.
-// They are gathered above a guess, which is lowered until there are enough. (A best-first expansion with a
-// heap gives the same number at ten times the cost; refining in visit order until the mesh is full does not give it.)
+// The tolerance at the triangle ceiling. Priorities nest, so the mesh at a tolerance has two triangles and
+// one more for each triangle of the bintree whose priority exceeds it; the tolerance is therefore an order
+// statistic of the priorities. They are gathered above a guess, which is lowered until there are enough. (A
+// best-first expansion with a heap gives the same number at ten times the cost; refining in visit order until
+// the mesh is full does not give it.)
 #include <algorithm>
 #include <vector>
 

@@ -79,8 +79,8 @@ void WheelDriver::restart(Frame& frame)
         if (!frame.tree.place(v).isFree()) watchAround(frame, v);
 }
 
-/// Checks the points that recheck() was called for. A candidate that would split one leaf but not the coarser leaf across
-/// its base is forgotten: splitting that leaf will watch it.
+/// Checks the points that recheck() was called for. A candidate that would split one leaf but not the coarser
+/// leaf across its base is forgotten: splitting that leaf will watch it.
 void WheelDriver::runRechecks(Frame& frame)
 {
     const DiamondTree& tree = frame.tree;
@@ -120,8 +120,8 @@ inline GridPoint WheelDriver::watchedPoint(const DiamondTree& tree, VertexSlot v
     mark = bound.errorM > 0.0f ? _wheel.add(watch, bound.errorM, verdict.marginM - kRoundingM) : kNotWatched;
 }
 
-/// Checks due watches in batches: memory is prefetched for one batch while the batch before is checked. Watches that the
-/// slice does not allow for stay due.
+/// Checks due watches in batches: memory is prefetched for one batch while the batch before is checked.
+/// Watches that the slice does not allow for stay due.
 void WheelDriver::checkDue(Frame& frame)
 {
     std::array<DeferralWheel::Batch, 2> batches;
@@ -192,7 +192,8 @@ void WheelDriver::schedule(Frame& frame, std::uint32_t watch, double errorM, dou
     _splits.emplace_back(v, kind);
 }
 
-/// Watches a new vertex and the new candidates: the vertices on its diamond's edges that have both parents now.
+/// Watches a new vertex and the new candidates: the vertices on its diamond's edges that have both parents
+/// now.
 void WheelDriver::watchAround(Frame& frame, VertexSlot v)
 {
     const DiamondTree& tree = frame.tree;
@@ -223,7 +224,8 @@ void WheelDriver::watchNew(Frame& frame)
         watchAround(frame, added[_watched++]);
 }
 
-/// Performs the scheduled merges and splits. Stale ones were found for an earlier eye and are checked once more.
+/// Performs the scheduled merges and splits. Stale ones were found for an earlier eye and are checked once
+/// more.
 bool WheelDriver::applyScheduled(Frame& frame, bool staleMerges, std::size_t staleSplits)
 {
     return mergeScheduled(frame, staleMerges) && splitScheduled(frame, staleSplits);
@@ -287,8 +289,8 @@ double WheelDriver::errorBoundPx(const viewlod::ViewState& view, double toleranc
 {
     if (_wheel.hasDue()) return std::numeric_limits<double>::infinity();
     if (_splits.empty()) return tolerancePx;
-    // Since then the eye may have come nearer by the growth of its path. d / max(d - nearer, near) is largest for the
-    // nearest, or where the difference reaches the near distance.
+    // Since then the eye may have come nearer by the growth of its path. d / max(d - nearer, near) is largest
+    // for the nearest, or where the difference reaches the near distance.
     const double scale = view.guaranteedPixelsPerTangent(), nearerM = _pathM - _backlog.sinceM;
     const double atM = std::max(_backlog.nearestM, nearerM + view.nearM);
     return std::max(scale * _backlog.errorPerM * atM / (atM - nearerM), tolerancePx);

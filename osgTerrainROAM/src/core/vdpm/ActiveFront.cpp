@@ -105,8 +105,8 @@ void ActiveFront::ecol(std::uint32_t split)
     _vertices[a].nextSplit = split;
 }
 
-/// Gives the faces around a vertex from f0 to f3 another vertex instead. On a border one of the two may be missing: then the fan ends
-/// at the border.
+/// Gives the faces around a vertex from f0 to f3 another vertex instead. On a border one of the two may be
+/// missing: then the fan ends at the border.
 void ActiveFront::replaceInFan(const VertexSplit& split, std::uint32_t from, std::uint32_t to)
 {
     const bool forwards = split.f[0] != kNone;

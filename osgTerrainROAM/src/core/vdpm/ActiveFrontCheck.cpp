@@ -8,7 +8,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Counts the faces that are reached from a face by turning around one of its corners. Precondition: neighbours are right.
+/// Counts the faces that are reached from a face by turning around one of its corners. Precondition:
+/// neighbours are right.
 std::uint32_t ActiveFront::fanOf(const Face& first, std::uint32_t corner) const
 {
     std::uint32_t count = 1;
@@ -60,8 +61,8 @@ std::string ActiveFront::defectOfVertices() const
     return active + free == vertexSlots() ? "" : "slots of vertices are lost";
 }
 
-/// Corners are active and distinct, every side is there once in its direction, neighbours are those that have the side in the
-/// opposite direction, and the faces of every vertex are one fan.
+/// Corners are active and distinct, every side is there once in its direction, neighbours are those that have
+/// the side in the opposite direction, and the faces of every vertex are one fan.
 std::string ActiveFront::defectOfFaces() const
 {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sides;

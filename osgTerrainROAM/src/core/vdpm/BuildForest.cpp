@@ -63,14 +63,16 @@ public:
         }
     }
 
-    /// A collapse as a vsplit, by numbers of this mesh, with its fL and fR (kNone: on that side there is a border).
+    /// A collapse as a vsplit, by numbers of this mesh, with its fL and fR (kNone: on that side there is a
+    /// border).
     struct Edge
     {
         VertexSplit split;
         std::uint32_t fL = kNone, fR = kNone;
     };
 
-    /// Finds the faces at an edge; none when there is no such edge, or collapsing it would not leave a manifold. `star`: of v0.
+    /// Finds the faces at an edge; none when there is no such edge, or collapsing it would not leave a
+    /// manifold. `star`: of v0.
     std::optional<Edge> edge(const EdgeCollapse& c, std::span<const std::uint32_t> star)
     {
         Edge found;
@@ -96,7 +98,8 @@ public:
             }
         }
         if (found.fL == kNone && found.fR == kNone) return std::nullopt;
-        // A side without a face on v1's side and v0's would go as a whole, and a fan without faces would leave v1 alone.
+        // A side without a face on v1's side and v0's would go as a whole, and a fan without faces would
+        // leave v1 alone.
         if (found.fL != kNone && !found.split.hasLeft()) return std::nullopt;
         if (found.fR != kNone && !found.split.hasRight()) return std::nullopt;
         if (found.split.f[0] == kNone && found.split.f[3] == kNone) return std::nullopt;
@@ -127,8 +130,8 @@ public:
     }
 
 private:
-    /// The link condition: v0 and v1 have no other common neighbours than vl and vr, and where both lie on a border, so does the
-    /// edge between them.
+    /// The link condition: v0 and v1 have no other common neighbours than vl and vr, and where both lie on a
+    /// border, so does the edge between them.
     bool isLinked(const EdgeCollapse& c, std::span<const std::uint32_t> star, std::uint32_t vl,
                   std::uint32_t vr)
     {

@@ -148,7 +148,8 @@ void FrontDriver::unwant(std::uint32_t first)
     }
 }
 
-/// Collapses what is neither wanted nor needed, and then what has become so. When vertices move, they only begin to.
+/// Collapses what is neither wanted nor needed, and then what has become so. When vertices move, they only
+/// begin to.
 void FrontDriver::coarsen(Frame& frame)
 {
     while (!_toCollapse.empty() && !frame.slice.isSpent())
@@ -204,7 +205,8 @@ void FrontDriver::doSplit(Frame& frame, std::uint32_t split)
         ++_dependants[needed];
 }
 
-/// Begins those splits that one needs, itself included, whose dependencies are in their places. Returns false when a limit stops it.
+/// Begins those splits that one needs, itself included, whose dependencies are in their places. Returns false
+/// when a limit stops it.
 bool FrontDriver::begin(Frame& frame, std::uint32_t split)
 {
     gatherNeeded(split);
@@ -276,7 +278,8 @@ void FrontDriver::moveVertices(const SplitCriterion& criterion, RefineResult& re
     _held.clear();
 }
 
-/// Does a split after all that it needs. Returns false when the ceiling does not allow for them, or when the slice ended on the way.
+/// Does a split after all that it needs. Returns false when the ceiling does not allow for them, or when the
+/// slice ended on the way.
 bool FrontDriver::force(Frame& frame, std::uint32_t split)
 {
     gatherNeeded(split);
@@ -303,7 +306,8 @@ bool FrontDriver::force(Frame& frame, std::uint32_t split)
     return true;
 }
 
-/// Lists the splits that are not in place of those that one needs, itself included, in an order in which they can be done: dependencies have smaller numbers.
+/// Lists the splits that are not in place of those that one needs, itself included, in an order in which they
+/// can be done: dependencies have smaller numbers.
 void FrontDriver::gatherNeeded(std::uint32_t split)
 {
     _needed.assign(1, split);

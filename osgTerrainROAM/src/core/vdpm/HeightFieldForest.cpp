@@ -67,7 +67,8 @@ private:
         return errorOf(area > 0 ? Triangle{v0, v1, neighbour} : Triangle{v1, v0, neighbour});
     }
 
-    /// The largest distance of a sample in a triangle from the point of the triangle at its place in the plan.
+    /// The largest distance of a sample in a triangle from the point of the triangle at its place in the
+    /// plan.
     double errorOf(const Triangle& t) const
     {
         const PlanTriangle plan{{pointOf(t[0]), pointOf(t[1]), pointOf(t[2])}};

@@ -14,11 +14,13 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// How far a split of 1 m error is wanted: finders are chosen for a tolerance of about a pixel and a half in a picture of 1280 × 1024.
+/// How far a split of 1 m error is wanted: finders are chosen for a tolerance of about a pixel and a half in
+/// a picture of 1280 × 1024.
 constexpr double kTypicalReach = 1000.0;
 
-/// How much a small finder counts beside one that need not grow. With 0 a few coarse splits find dozens of others, which then are all
-/// watched: up to five times the checks; with 0.1 there are 3 to 4 % more triangles.
+/// How much a small finder counts beside one that need not grow. With 0 a few coarse splits find dozens of
+/// others, which then are all watched: up to five times the checks; with 0.1 there are 3 to 4 % more
+/// triangles.
 constexpr double kSmallness = 0.01;
 
 /// The least bound that contains two.

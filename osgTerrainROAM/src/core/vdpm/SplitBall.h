@@ -13,8 +13,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Returns the bound of a split of which the faces that it changes are off by `error`: the ball contains these faces and all points
-/// within `error` of them, and all is rounded up. `star`: the faces around v0, which cover the same area.
+/// Returns the bound of a split of which the faces that it changes are off by `error`: the ball contains
+/// these faces and all points within `error` of them, and all is rounded up. `star`: the faces around v0,
+/// which cover the same area.
 inline SplitBound ballAround(std::span<const Triangle> star, const std::vector<glm::dvec3>& positions,
                              double error)
 {

@@ -22,7 +22,8 @@ struct ToleranceBracket
 {
     double tooFinePx = 0.0, fittingPx = std::numeric_limits<double>::infinity();
 
-    /// The next tolerance to try. `ratio`: faces wanted over the faces aimed at; their number falls about as the tolerance rises.
+    /// The next tolerance to try. `ratio`: faces wanted over the faces aimed at; their number falls about as
+    /// the tolerance rises.
     double next(double tolerancePx, double ratio) const
     {
         const double guess = tolerancePx * std::clamp(ratio, 0.25, 4.0);
@@ -44,8 +45,8 @@ void VdpmMesh::setInFrustum(bool on)
     _inFrustum = on;
 }
 
-/// Runs the driver at the lowest tolerance that the ceiling allows, within 1 %. A mesh that was at the ceiling starts with its last
-/// tolerance. Returns false when the slice has ended before.
+/// Runs the driver at the lowest tolerance that the ceiling allows, within 1 %. A mesh that was at the
+/// ceiling starts with its last tolerance. Returns false when the slice has ended before.
 bool VdpmMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::Budget& budget,
                                 viewlod::Slice& slice, RefineResult& result)
 {
@@ -125,7 +126,8 @@ GridPoint VdpmMesh::gridAt(std::uint32_t slot) const
                                                                               << tile.grid().exponent()};
 }
 
-/// The place at which the vertex in a slot is drawn. What it moves away from stays: only one of two neighbours moves.
+/// The place at which the vertex in a slot is drawn. What it moves away from stays: only one of two
+/// neighbours moves.
 glm::dvec3 VdpmMesh::positionAt(std::uint32_t slot) const
 {
     const std::uint32_t vertex = _driver.front().vertexAt(slot);

@@ -27,16 +27,17 @@ struct BuiltTree
     MeasuredMesh rest;                   ///< the root of the tree, with all that it hides
 };
 
-/// Builds a multi-triangulation by removing vertices, one at a time. The vertex whose removal leaves the least vertical error over
-/// all points of the input goes first. Of all triangulations of its hole the one with the least error is taken. Every triangle
-/// gets its own error, exact but for rounding up.
-/// Heights stay those of the input, so the drain is the input. The outline stays: of its points only those on a straight part
-/// of it can go. A vertex with more than 9 neighbours waits until it has fewer.
-/// The order is that of a lazy queue: a vertex whose neighbours have changed is judged anew only when it comes to the front, at
-/// first by the worst few points of its triangles, then by all.
-/// `input`: its mesh is valid (SurfaceCheck.h). Deterministic. Cost: 9 to 11 µs a point (on a busy machine). Memory: about 400 B a point.
-/// Source: the order is that of Schroeder, Zarge & Lorensen, *Decimation of triangle meshes* (1992), with the exact error of
-/// triangles instead of a distance to a plane.
+/// Builds a multi-triangulation by removing vertices, one at a time. The vertex whose removal leaves the
+/// least vertical error over all points of the input goes first. Of all triangulations of its hole the one
+/// with the least error is taken. Every triangle gets its own error, exact but for rounding up. Heights stay
+/// those of the input, so the drain is the input. The outline stays: of its points only those on a straight
+/// part of it can go. A vertex with more than 9 neighbours waits until it has fewer.
+/// The order is that of a lazy queue: a vertex whose neighbours have changed is judged anew only when it
+/// comes to the front, at first by the worst few points of its triangles, then by all.
+/// `input`: its mesh is valid (SurfaceCheck.h). Deterministic. Cost: 9 to 11 µs a point (on a busy machine).
+/// Memory: about 400 B a point.
+/// Source: the order is that of Schroeder, Zarge & Lorensen, *Decimation of triangle meshes* (1992), with the
+/// exact error of triangles instead of a distance to a plane.
 BuiltTree buildTree(const MeasuredMesh& input, const TreeOptions& options = {});
 
 } // namespace osgMultiTriangulation::core

@@ -10,8 +10,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// A triangulation together with the points of the full surface that it no longer has, each at the triangle above or below which
-/// it lies. So the vertical error of every triangle is known over all points.
+/// A triangulation together with the points of the full surface that it no longer has, each at the triangle
+/// above or below which it lies. So the vertical error of every triangle is known over all points.
 struct MeasuredMesh
 {
     SurfaceMesh mesh;

@@ -10,14 +10,16 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Points of a surface, sorted into cells of the plan, so that the error of a triangulation can be found by brute force.
+/// Points of a surface, sorted into cells of the plan, so that the error of a triangulation can be found by
+/// brute force.
 class PointCells
 {
 public:
     explicit PointCells(std::span<const SurfacePoint> points);
 
-    /// Returns by how much the worst point is farther from a triangulation, along the vertical, than is promised there; zero or
-    /// less when every promise is kept; infinite when a point is in no triangle. A point on a side needs one promise.
+    /// Returns by how much the worst point is farther from a triangulation, along the vertical, than is
+    /// promised there; zero or less when every promise is kept; infinite when a point is in no triangle. A
+    /// point on a side needs one promise.
     /// `bounds`: by triangle, metres. With bounds of zero this is the greatest error.
     double greatestExcess(const SurfaceMesh& mesh, std::span<const float> bounds) const;
 

@@ -23,8 +23,9 @@ struct ForestFlight
 /// Returns the points of the surface, each once.
 std::vector<SurfacePoint> pointsOf(const Forest& forest);
 
-/// Flies an eye over the surface in a straight line from corner to corner, with more detail near it, and checks each frame: that it
-/// is a triangulation of the surface, and in every tenth frame, by brute force, that each point keeps its bound.
+/// Flies an eye over the surface in a straight line from corner to corner, with more detail near it, and
+/// checks each frame: that it is a triangulation of the surface, and in every tenth frame, by brute force,
+/// that each point keeps its bound.
 /// Tolerance: a share of the distance that runs from coarse to fine over the flight.
 ForestFlight flyOver(const Forest& forest, int frames);
 

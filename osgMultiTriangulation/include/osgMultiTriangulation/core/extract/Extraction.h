@@ -18,12 +18,14 @@ struct InTree
     bool operator==(const InTree&) const = default;
 };
 
-/// A triangulation of variable resolution, taken from the trees of a forest that are in memory. It starts at the root; fragments
-/// are applied, those first on which they depend, until a criterion is met everywhere. It is always a triangulation of the whole
-/// surface, across trees too: a fragment is applied only as a whole, in place of its whole floor.
-/// A criterion is called as needsMore(tree's MultiTriangulation, triangle) and tells whether a triangle is too coarse.
+/// A triangulation of variable resolution, taken from the trees of a forest that are in memory. It starts at
+/// the root; fragments are applied, those first on which they depend, until a criterion is met everywhere. It
+/// is always a triangulation of the whole surface, across trees too: a fragment is applied only as a whole,
+/// in place of its whole floor. A criterion is called as needsMore(tree's MultiTriangulation, triangle) and
+/// tells whether a triangle is too coarse.
 /// Memory: 5 B a triangle and 1 B a fragment of the trees in memory. Threads: one.
-/// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), sections 2 and 5.
+/// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), sections 2
+/// and 5.
 class Extraction
 {
 public:

@@ -11,8 +11,9 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Tells whether a triangle is too coarse for an eye: the criterion of an Extraction for pictures in perspective. No point of the surface
-/// is drawn farther from its place than errorPerDistance says, with the distance of the nearer of the two.
+/// Tells whether a triangle is too coarse for an eye: the criterion of an Extraction for pictures in
+/// perspective. No point of the surface is drawn farther from its place than errorPerDistance says, with the
+/// distance of the nearer of the two.
 /// Frame: metres (or the units of the plan) from the lattice's point `corner`, heights as they are.
 struct EyeCriterion
 {

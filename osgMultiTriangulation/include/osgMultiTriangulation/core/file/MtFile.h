@@ -29,7 +29,8 @@ struct ReadTree
 class MtFile
 {
 public:
-    /// Reads the header and the directory. Errors: no such file, not a .mt file, another version, damaged header or directory.
+    /// Reads the header and the directory. Errors: no such file, not a .mt file, another version, damaged
+    /// header or directory.
     static foundation::Result<MtFile> open(const std::filesystem::path& file);
 
     const MtInfo& info() const { return _info; }
@@ -38,7 +39,8 @@ public:
     /// The children of a tree, in the order of their numbers.
     std::span<const std::uint32_t> childrenOf(std::uint32_t tree) const { return _children[tree]; }
 
-    /// Reads a tree. `parent`: its parent, completely read; null for the main part. `fragments`: at most so many.
+    /// Reads a tree. `parent`: its parent, completely read; null for the main part. `fragments`: at most so
+    /// many.
     /// Errors: truncated, damaged, does not fit its parent; each names the tree. The other trees stay usable.
     foundation::Result<ReadTree> read(std::uint32_t tree, const ReadTree* parent,
                                       std::size_t fragments = std::numeric_limits<std::size_t>::max()) const;
@@ -62,8 +64,9 @@ struct EncodedTree
 EncodedTree encodedTree(const TreeRecord& record, std::uint32_t parent, double heightStep);
 
 /// Writes a file from encoded trees, one at a time. It appears under its name when it is complete.
-/// `info`: frame, heightStep, points and triangles; its trees are replaced. `entries`: by tree. `bytesOf`: the bytes of a tree,
-/// asked for once each, in order. Errors: no such folder, no permission, no room; what `bytesOf` returns.
+/// `info`: frame, heightStep, points and triangles; its trees are replaced. `entries`: by tree. `bytesOf`:
+/// the bytes of a tree, asked for once each, in order. Errors: no such folder, no permission, no room; what
+/// `bytesOf` returns.
 foundation::Outcome
 writeMtFile(const std::filesystem::path& file, MtInfo info, std::vector<MtEntry> entries,
             const std::function<foundation::Result<std::vector<std::byte>>(std::uint32_t)>& bytesOf);

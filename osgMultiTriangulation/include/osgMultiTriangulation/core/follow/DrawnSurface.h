@@ -14,7 +14,8 @@ namespace osgMultiTriangulation::core
 {
 
 /// A triangulation as it is drawn: vertices, and triangles sorted into cells of the plan that can be culled.
-/// Frame: metres (or the units of the plan) from the south-western corner of the surface's extent, heights as they are.
+/// Frame: metres (or the units of the plan) from the south-western corner of the surface's extent, heights as
+/// they are.
 struct DrawnSurface
 {
     using Vertex = std::array<std::int32_t, 3>; ///< whole steps of DrawnFrame::vertexStep
@@ -48,8 +49,9 @@ struct DrawnFrame
     }
 };
 
-/// Writes extractions as drawn surfaces. A point becomes one vertex in each tree that has it, always at the same place, so there are no
-/// cracks. Cost: about 50 ns a triangle. Memory: 4 B a point of the trees. Threads: one.
+/// Writes extractions as drawn surfaces. A point becomes one vertex in each tree that has it, always at the
+/// same place, so there are no cracks. Cost: about 50 ns a triangle. Memory: 4 B a point of the trees.
+/// Threads: one.
 class SurfaceWriter
 {
 public:

@@ -22,8 +22,9 @@ struct SampledSurface
     float lowest = 0.0f, highest = 0.0f; ///< of the surface, its points between the samples included
 };
 
-/// Samples the surface of a file: at its lattice, where that has no more than `mostSide` points a side, else evenly. Trees are read one after
-/// the other; of large files trees at the end are read in part, by about four points a sample.
+/// Samples the surface of a file: at its lattice, where that has no more than `mostSide` points a side, else
+/// evenly. Trees are read one after the other; of large files trees at the end are read in part, by about
+/// four points a sample.
 /// Errors: the main part is damaged. Other damaged trees are coarse here.
 foundation::Result<SampledSurface> sampleSurface(const MtFile& file, int mostSide = 1025);
 

@@ -39,10 +39,10 @@ struct FollowFigures
     std::vector<std::string> faults; ///< of the file, each told once
 };
 
-/// Keeps a drawn surface of a file up to date for each of several moving eyes. A thread of its own reads trees, refines and writes the
-/// vertices; who draws takes the surface that is ready.
-/// A surface is always a triangulation of everything. While the eye moves it is one or a few frames old: it was refined for an eye that may
-/// move on by twice as far as it last did meanwhile; where trees are not read yet it is coarser.
+/// Keeps a drawn surface of a file up to date for each of several moving eyes. A thread of its own reads
+/// trees, refines and writes the vertices; who draws takes the surface that is ready. A surface is always a
+/// triangulation of everything. While the eye moves it is one or a few frames old: it was refined for an eye
+/// that may move on by twice as far as it last did meanwhile; where trees are not read yet it is coarser.
 /// Threads: any. Only settle() waits for the disk or for refinement.
 class SurfaceFollower
 {
@@ -58,11 +58,12 @@ public:
     std::size_t addView();
     void removeView(std::size_t view);
 
-    /// Tells where the eye of a view is, and returns the newest surface of this view; null where the thread is just changing it: then the
-    /// caller keeps what it has, and tells the eye the next time. Never waits.
+    /// Tells where the eye of a view is, and returns the newest surface of this view; null where the thread
+    /// is just changing it: then the caller keeps what it has, and tells the eye the next time. Never waits.
     std::shared_ptr<const DrawnSurface> follow(std::size_t view, const FollowTarget& target);
 
-    /// The same, and waits until trees and detail are as the target needs. The same targets give the same surfaces.
+    /// The same, and waits until trees and detail are as the target needs. The same targets give the same
+    /// surfaces.
     std::shared_ptr<const DrawnSurface> settle(std::size_t view, const FollowTarget& target);
 
     /// The surface with no detail at all.

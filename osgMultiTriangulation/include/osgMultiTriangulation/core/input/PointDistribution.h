@@ -25,8 +25,9 @@ void streamMadeUpPoints(PointDistribution distribution, std::size_t count,
                         const std::function<void(const SurfacePoint&)>& visit, std::uint64_t seed = 1);
 
 /// Returns points of a distribution on the whole lattice, no two at one place, with heights of rolling hills.
-/// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), table 1, which names the
-/// distributions and not their widths; here 1/8 of the extent, 1/60 for clusters. The same on every machine.
+/// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), table 1,
+/// which names the distributions and not their widths; here 1/8 of the extent, 1/60 for clusters. The same on
+/// every machine.
 std::vector<SurfacePoint> madeUpPoints(PointDistribution distribution, std::size_t count,
                                        std::uint64_t seed = 1);
 

@@ -20,7 +20,8 @@ namespace osgMultiTriangulation::core
 /// A measured point: x to the east, y to the north, height.
 using MeasuredPoint = std::array<double, 3>;
 
-/// Reads a file of points as readPointFile() does, without holding it in memory. Calls visit(point) for each, in order.
+/// Reads a file of points as readPointFile() does, without holding it in memory. Calls visit(point) for each,
+/// in order.
 foundation::Outcome streamPointFile(const std::filesystem::path& file,
                                     const std::function<void(const MeasuredPoint&)>& visit);
 
@@ -28,8 +29,9 @@ foundation::Outcome streamPointFile(const std::filesystem::path& file,
 foundation::Outcome streamPoints(std::istream& stream, const std::string& place,
                                  const std::function<void(const MeasuredPoint&)>& visit);
 
-/// Reads a file of points, one a line: three numbers, divided by commas, semicolons or white space; what follows them is left out. Empty
-/// lines and those that begin with # are passed over, and a first line without numbers.
+/// Reads a file of points, one a line: three numbers, divided by commas, semicolons or white space; what
+/// follows them is left out. Empty lines and those that begin with # are passed over, and a first line
+/// without numbers.
 /// Errors: no such file; a line without three numbers of at most 10^15, with its number; no point.
 foundation::Result<std::vector<MeasuredPoint>> readPointFile(const std::filesystem::path& file);
 
@@ -63,8 +65,8 @@ PlanFrame latticeFor(std::span<const MeasuredPoint> points);
 /// Puts a point on a lattice. `mostMoved`: raised to the distance of its place from there, along an axis.
 SurfacePoint onLattice(const PlanFrame& frame, const MeasuredPoint& point, double& mostMoved);
 
-/// Puts points on a lattice whose step is a power of ten, 10^-6 or more, of which all coordinates are multiples, when the extent has no
-/// more than 2^26 of them; else the least step that has. Heights stay.
+/// Puts points on a lattice whose step is a power of ten, 10^-6 or more, of which all coordinates are
+/// multiples, when the extent has no more than 2^26 of them; else the least step that has. Heights stay.
 PlacedPoints placeOnLattice(std::span<const MeasuredPoint> points);
 
 } // namespace osgMultiTriangulation::core

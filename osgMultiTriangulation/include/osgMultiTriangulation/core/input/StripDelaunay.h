@@ -14,22 +14,27 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Triangulates points after Delaunay strip by strip, for sets that do not fit into memory. A triangle is finished once all points
-/// of its circle have come; points that no unfinished triangle has are forgotten.
-/// The sides between finished and unfinished triangles are sides of every Delaunay triangulation of a subset with their ends, so the
-/// unfinished area is triangulated anew with each strip, and what lies beyond those sides is left out.
+/// Triangulates points after Delaunay strip by strip, for sets that do not fit into memory. A triangle is
+/// finished once all points of its circle have come; points that no unfinished triangle has are forgotten.
+/// The sides between finished and unfinished triangles are sides of every Delaunay triangulation of a subset
+/// with their ends, so the unfinished area is triangulated anew with each strip, and what lies beyond those
+/// sides is left out.
 /// Memory: about 500 B for each point of a strip and of the front, some rows of points along its end.
-/// Source: after Isenburg, Liu, Shewchuk & Snoeyink, *Streaming computation of Delaunay triangulations* (2006). Differs: each step is
-/// the whole algorithm of delaunay() on strip and front; no incremental insertion.
+/// Source: after Isenburg, Liu, Shewchuk & Snoeyink, *Streaming computation of Delaunay triangulations*
+/// (2006). Differs: each step is the whole algorithm of delaunay() on strip and front; no incremental
+/// insertion.
 class StripDelaunay
 {
 public:
-    /// `emit`: gets each triangle once, counter-clockwise, corners as numbers of points in the order they were added.
-    /// `axis`: along which strips follow each other, 0 x, 1 y. `high`: the greatest coordinates of all points.
+    /// `emit`: gets each triangle once, counter-clockwise, corners as numbers of points in the order they
+    /// were added.
+    /// `axis`: along which strips follow each other, 0 x, 1 y. `high`: the greatest coordinates of all
+    /// points.
     StripDelaunay(std::function<void(const Triangle&)> emit, std::uint32_t axis,
                   std::array<std::int32_t, 2> high);
 
-    /// Adds a strip. No two points are at one place, none has a lesser coordinate along the axis than was told to advance().
+    /// Adds a strip. No two points are at one place, none has a lesser coordinate along the axis than was
+    /// told to advance().
     void add(std::span<const SurfacePoint> points);
 
     /// Gives out what is finished now. `next`: no later point has a lesser coordinate along the axis.

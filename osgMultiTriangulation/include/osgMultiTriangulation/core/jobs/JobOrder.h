@@ -15,7 +15,8 @@ struct JobStep
     std::uint32_t first = 0, count = 0;
 };
 
-/// The parts of a partition as numbered jobs: rectangles first, then step by step the parts that join them; the last is the whole.
+/// The parts of a partition as numbered jobs: rectangles first, then step by step the parts that join them;
+/// the last is the whole.
 struct JobOrder
 {
     std::vector<std::uint32_t> partOf; ///< by job

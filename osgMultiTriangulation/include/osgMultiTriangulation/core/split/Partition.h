@@ -53,10 +53,11 @@ struct Partition
 /// Calls visit(points) for runs of points until all have been seen. The same points in every call.
 using PointScan = std::function<void(const std::function<void(std::span<const SurfacePoint>)>& visit)>;
 
-/// Divides points into rectangles of about `target` points. A rectangle is done when its own number of points is nearer to `target`
-/// than half of it, or a half would be empty.
-/// `scan`: passes over the points; one for each level of the partition, three for a median. Sums are exact up to 2^27 points, so the
-/// order of points does not matter. Cost: n log n. Memory: 150 B a rectangle, 2.2 kB with the median.
+/// Divides points into rectangles of about `target` points. A rectangle is done when its own number of points
+/// is nearer to `target` than half of it, or a half would be empty.
+/// `scan`: passes over the points; one for each level of the partition, three for a median. Sums are exact up
+/// to 2^27 points, so the order of points does not matter. Cost: n log n. Memory: 150 B a rectangle, 2.2 kB
+/// with the median.
 /// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), section 3.
 Partition partitionPoints(const PointScan& scan, double target, SplitAt where = SplitAt::centre);
 

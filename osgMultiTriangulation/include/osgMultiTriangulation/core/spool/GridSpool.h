@@ -11,8 +11,9 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Turns a grid of heights into a surface row by row: the points and triangles of gridSurface(), in its order. Samples that are not
-/// numbers are holes; of a cell that lacks one corner the other three are a triangle.
+/// Turns a grid of heights into a surface row by row: the points and triangles of gridSurface(), in its
+/// order. Samples that are not numbers are holes; of a cell that lacks one corner the other three are a
+/// triangle.
 /// Memory: 60 B a column.
 class GridSpool
 {

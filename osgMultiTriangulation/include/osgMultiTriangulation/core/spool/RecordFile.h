@@ -15,7 +15,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// An open file of bytes that are read and written at places. After a failure all further calls do nothing; outcome() tells it.
+/// An open file of bytes that are read and written at places. After a failure all further calls do nothing;
+/// outcome() tells it.
 /// Threads: any number may read and write at once, at different places.
 class PlacedBytes
 {
@@ -40,7 +41,8 @@ private:
     void fail(int reason) const;
 };
 
-/// A file of plain records, in the order of the machine's bytes. Appended to by one thread; then read through a RecordCache.
+/// A file of plain records, in the order of the machine's bytes. Appended to by one thread; then read through
+/// a RecordCache.
 /// Memory: `kBuffered` records.
 template<class T>
 class RecordFile

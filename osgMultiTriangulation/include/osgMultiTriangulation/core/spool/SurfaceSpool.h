@@ -22,7 +22,8 @@ public:
     /// Makes the files in a folder that is there.
     static foundation::Result<SurfaceSpool> create(const std::filesystem::path& folder);
 
-    /// Takes the points of a folder in which finish() has been called; there are no triangles. Errors: it has not this number of points.
+    /// Takes the points of a folder in which finish() has been called; there are no triangles. Errors: it has
+    /// not this number of points.
     static foundation::Result<SurfaceSpool> openPoints(const std::filesystem::path& folder,
                                                        std::uint64_t points);
 

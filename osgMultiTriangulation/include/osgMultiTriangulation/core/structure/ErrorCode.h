@@ -8,15 +8,16 @@
 namespace osgMultiTriangulation::core
 {
 
-/// The error that a 16-bit code stands for, in metres: 5 bits of exponent, 11 bits of mantissa; 2^-16 to 2^16 m, and 0.
+/// The error that a 16-bit code stands for, in metres: 5 bits of exponent, 11 bits of mantissa; 2^-16 to 2^16
+/// m, and 0.
 inline float errorOfCode(std::uint16_t code)
 {
     if (code == 0) return 0.0f;
     return std::ldexp(1.0f + static_cast<float>(code & 0x7ff) / 2048.0f, (code >> 11) - 16);
 }
 
-/// Returns the code of the least error that is not below `errorM`; that of the greatest for what is beyond. Errors grow by less
-/// than 0.05 %, whole metres up to 2048 not at all.
+/// Returns the code of the least error that is not below `errorM`; that of the greatest for what is beyond.
+/// Errors grow by less than 0.05 %, whole metres up to 2048 not at all.
 inline std::uint16_t codeOfError(float errorM)
 {
     if (!(errorM > 0.0f)) return 0;

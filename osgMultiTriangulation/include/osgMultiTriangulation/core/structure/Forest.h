@@ -9,8 +9,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// A tree of a split multi-triangulation: a part of the surface that can be loaded by itself once its parent is there. The
-/// triangles of its root are triangles of its parent's drain.
+/// A tree of a split multi-triangulation: a part of the surface that can be loaded by itself once its parent
+/// is there. The triangles of its root are triangles of its parent's drain.
 struct ForestTree
 {
     MultiTriangulation part;
@@ -20,8 +20,8 @@ struct ForestTree
     bool operator==(const ForestTree&) const = default;
 };
 
-/// A split multi-triangulation: the main part, tree 0, and the trees below it. Its drain is the whole surface: the drains
-/// of all trees, without the triangles that are a child's root.
+/// A split multi-triangulation: the main part, tree 0, and the trees below it. Its drain is the whole
+/// surface: the drains of all trees, without the triangles that are a child's root.
 struct Forest
 {
     std::vector<ForestTree> trees; ///< parents before children

@@ -10,7 +10,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// A fragment: the star of one vertex, which replaces the triangles of its floor. Star and floor cover the same area.
+/// A fragment: the star of one vertex, which replaces the triangles of its floor. Star and floor cover the
+/// same area.
 struct Fragment
 {
     std::uint32_t firstTriangle = 0; ///< of its star; the others follow
@@ -21,15 +22,17 @@ struct Fragment
     bool operator==(const Fragment&) const = default;
 };
 
-/// A multi-triangulation: the coarsest triangulation of a surface (the root), and fragments that refine it up to the input (the
-/// drain). A fragment may be applied once all triangles of its floor are there. The order of fragments is one in which all
-/// can be applied, so each prefix of them is a multi-triangulation too.
-/// Triangles: those of the root, then the stars of the fragments in order. Points: those of the root, then the vertex of
-/// each fragment in order. A triangle's *upper* fragment has it in its star, its *lower* one in its floor.
+/// A multi-triangulation: the coarsest triangulation of a surface (the root), and fragments that refine it up
+/// to the input (the drain). A fragment may be applied once all triangles of its floor are there. The order
+/// of fragments is one in which all can be applied, so each prefix of them is a multi-triangulation too.
+/// Triangles: those of the root, then the stars of the fragments in order. Points: those of the root, then
+/// the vertex of each fragment in order. A triangle's *upper* fragment has it in its star, its *lower* one in
+/// its floor.
 /// Invariant: checkStructure() in StructureCheck.h.
 /// Memory: 28 B a triangle, 24 B a fragment; about 4 triangles a point.
-/// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), section 2; De Floriani,
-/// Magillo & Puppo, *Efficient implementation of multi-triangulations* (1998). Differs: the root is always the coarsest.
+/// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), section 2;
+/// De Floriani, Magillo & Puppo, *Efficient implementation of multi-triangulations* (1998). Differs: the root
+/// is always the coarsest.
 struct MultiTriangulation
 {
     std::vector<SurfacePoint> points;

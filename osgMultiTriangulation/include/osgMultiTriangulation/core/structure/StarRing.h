@@ -10,8 +10,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// The corners around the star of a vertex, counter-clockwise. Triangle i of the star has corners i and i + 1 and the vertex; the
-/// last of a closed ring joins the last corner with the first.
+/// The corners around the star of a vertex, counter-clockwise. Triangle i of the star has corners i and i + 1
+/// and the vertex; the last of a closed ring joins the last corner with the first.
 struct StarRing
 {
     static constexpr std::size_t kMost = 16;
@@ -27,9 +27,9 @@ struct StarRing
     }
 };
 
-/// Finds the ring around the area of a floor as its star has it. A closed ring begins at its lowest number. So a star follows from
-/// its floor and its vertex. Returns whether the floor is one area whose border has no corner twice, and the star's triangles
-/// are all counter-clockwise.
+/// Finds the ring around the area of a floor as its star has it. A closed ring begins at its lowest number.
+/// So a star follows from its floor and its vertex. Returns whether the floor is one area whose border has no
+/// corner twice, and the star's triangles are all counter-clockwise.
 /// `floor`: corners as numbers in `points`, all there. `vertex`: where the vertex lies.
 bool findStarRing(std::span<const Triangle> floor, std::span<const SurfacePoint> points,
                   const SurfacePoint& vertex, StarRing& ring);

@@ -8,7 +8,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Removes points with the triangles that have them, then the points that no triangle has. The others keep their order.
+/// Removes points with the triangles that have them, then the points that no triangle has. The others keep
+/// their order.
 /// `isThere`: by point.
 inline void dropPoints(SurfaceMesh& mesh, std::vector<bool> isThere)
 {

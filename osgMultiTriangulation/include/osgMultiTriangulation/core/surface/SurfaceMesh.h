@@ -14,8 +14,8 @@ using osgPMObjects::core::Triangle;
 /// The number that stands for no point, triangle or fragment.
 constexpr std::uint32_t kNone = ~0u;
 
-/// The largest plan coordinate. Products of two differences stay below 2^53, so doubles tell exactly on which side of a line
-/// a point lies.
+/// The largest plan coordinate. Products of two differences stay below 2^53, so doubles tell exactly on which
+/// side of a line a point lies.
 constexpr std::int32_t kMostPlan = 1 << 26;
 
 /// A point of a surface: a place on a lattice in the plan, and the height there.
@@ -29,7 +29,8 @@ struct SurfacePoint
 };
 
 /// A single-valued surface over the plan as a triangulated irregular network (TIN).
-/// Triangles are counter-clockwise in the plan. checkSurface() (SurfaceCheck.h) tells whether they form a triangulation.
+/// Triangles are counter-clockwise in the plan. checkSurface() (SurfaceCheck.h) tells whether they form a
+/// triangulation.
 struct SurfaceMesh
 {
     std::vector<SurfacePoint> points;

@@ -19,12 +19,12 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Keeps the trees of a file in memory that are wanted around moving eyes, and an extraction over them for each view.
-/// A tree whose child is wanted is wanted completely. The nearest trees have the memory first; what does not fit is not loaded.
-/// Reading happens in moveTo() and step(), in the calling thread. A damaged tree is told once and then left out: the surface is coarser
-/// there.
-/// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), sections 4 and 5. Differs: a tree
-/// is read anew when its level changes.
+/// Keeps the trees of a file in memory that are wanted around moving eyes, and an extraction over them for
+/// each view. A tree whose child is wanted is wanted completely. The nearest trees have the memory first;
+/// what does not fit is not loaded. Reading happens in moveTo() and step(), in the calling thread. A damaged
+/// tree is told once and then left out: the surface is coarser there.
+/// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), sections 4
+/// and 5. Differs: a tree is read anew when its level changes.
 /// Threads: one.
 class InterestZone
 {
@@ -38,11 +38,12 @@ public:
     void moveTo(double x, double y);
     void moveTo(std::span<const ZoneEye> eyes);
 
-    /// Does a part of what moveTo() does: drops what has to go, then loads one tree at most. Returns whether all is as it is wanted.
+    /// Does a part of what moveTo() does: drops what has to go, then loads one tree at most. Returns whether
+    /// all is as it is wanted.
     bool step(std::span<const ZoneEye> eyes);
 
-    /// Adds a view with an extraction of its own over the same trees, and returns its number: that of another view when the memory does
-    /// not hold the main part once more. Trees far from the eyes may leave for it.
+    /// Adds a view with an extraction of its own over the same trees, and returns its number: that of another
+    /// view when the memory does not hold the main part once more. Trees far from the eyes may leave for it.
     std::size_t addView();
     void removeView(std::size_t view) { _extractions[view] = nullptr; }
     std::size_t views() const;

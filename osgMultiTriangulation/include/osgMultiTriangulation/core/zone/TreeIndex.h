@@ -18,7 +18,8 @@ class TreeIndex
 public:
     explicit TreeIndex(std::span<const MtEntry> trees);
 
-    /// Returns the numbers of the trees whose extent meets a rectangle, ascending. `x`, `y`: its middle, on the lattice.
+    /// Returns the numbers of the trees whose extent meets a rectangle, ascending. `x`, `y`: its middle, on
+    /// the lattice.
     std::vector<std::uint32_t> near(double x, double y, double halfWidth, double halfHeight) const;
 
 private:

@@ -7,7 +7,8 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Which trees are wanted around an eye. Distances are in the units of the plan (PlanFrame), metres as a rule.
+/// Which trees are wanted around an eye. Distances are in the units of the plan (PlanFrame), metres as a
+/// rule.
 struct ZoneSettings
 {
     double completeWithin = 1e12; ///< trees that are nearer are loaded completely
@@ -23,8 +24,8 @@ struct ZoneSettings
 struct ZoneEye
 {
     double x = 0.0, y = 0.0; ///< on the lattice
-    /// A tree is wanted only where it, or one below it, can be too coarse: where the greatest error of its root is more than this share of
-    /// its distance. 0: at any distance.
+    /// A tree is wanted only where it, or one below it, can be too coarse: where the greatest error of its
+    /// root is more than this share of its distance. 0: at any distance.
     double errorPerDistance = 0.0;
     double nearest = 0.0; ///< what is nearer counts as at this distance
 };

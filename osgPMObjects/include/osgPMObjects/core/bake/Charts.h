@@ -38,11 +38,12 @@ struct ChartSettings
         55.0; ///< between a face and its chart's plane, below 90: 55° stretch texels 1.7 times
 };
 
-/// Divides a mesh into charts. A chart starts with the largest face that has none; neighbours across edges join, nearest in
-/// direction first, up to the allowed slant. It is then grown again about the mean direction of this first set, without faces
-/// that would overlap others. Faces without area join any chart.
+/// Divides a mesh into charts. A chart starts with the largest face that has none; neighbours across edges
+/// join, nearest in direction first, up to the allowed slant. It is then grown again about the mean direction
+/// of this first set, without faces that would overlap others. Faces without area join any chart.
 /// Cost: n log n; 10 000 faces in some 20 ms.
-/// Source: Sander, Snyder, Gortler and Hoppe, *Texture mapping progressive meshes* (2001), section 3.1 (charts grown by planarity).
+/// Source: Sander, Snyder, Gortler and Hoppe, *Texture mapping progressive meshes* (2001), section 3.1
+/// (charts grown by planarity).
 /// Differs: each chart is projected, not parametrised by a solver, so nothing can fold.
 Charts makeCharts(const Mesh& mesh, const ChartSettings& settings = {});
 

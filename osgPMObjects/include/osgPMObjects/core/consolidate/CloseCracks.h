@@ -32,12 +32,14 @@ struct ClosedCracks
     TVertices tVertices;
 };
 
-/// Removes degenerate and duplicate faces and inserts T-vertices into the edges on which they lie. Each creates work for the
-/// other, so passes repeat until one changes nothing or their limit is reached. When a pass has changed little, the next examines
-/// only the neighbourhood; the result is the same as with passes over the whole mesh.
-/// Cost: a third of a second for a pass over a million faces; a tenth to find a neighbourhood, then its share for each.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11),
-/// Consolidation.
+/// Removes degenerate and duplicate faces and inserts T-vertices into the edges on which they lie. Each
+/// creates work for the other, so passes repeat until one changes nothing or their limit is reached. When a
+/// pass has changed little, the next examines only the neighbourhood; the result is the same as with passes
+/// over the whole mesh.
+/// Cost: a third of a second for a pass over a million faces; a tenth to find a neighbourhood, then its share
+/// for each.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002,
+/// chapter 11), Consolidation.
 /// Differs: passes over neighbourhoods.
 ClosedCracks closeCracks(Mesh& mesh, CrackPasses& passes);
 

@@ -36,27 +36,30 @@ struct ConsolidateReport
     Orientation orientation;
     InsideOut insideOut;
     SplitEdges splitEdges;
-    /// Number of faces of the input left as they were, since repairs among them made a count of defects worse.
+    /// Number of faces of the input left as they were, since repairs among them made a count of defects
+    /// worse.
     std::size_t facesAsTheyWere = 0;
     std::size_t facesGivenNormals = 0;
     MergedWedges wedges;
 
-    /// Number of faces of the input that were removed, for any reason. Faces that were cut in two do not count.
+    /// Number of faces of the input that were removed, for any reason. Faces that were cut in two do not
+    /// count.
     std::size_t facesDropped() const
     {
         return degenerateFaces + duplicates.removed + duplicates.backToBack + tVertices.slivers;
     }
 };
 
-/// Makes an imported mesh fit for simplification and drawing: welds positions, removes degenerate and duplicate
-/// faces, inserts T-vertices, orients neighbours alike and closed groups outwards, splits non-manifold edges, computes missing
-/// normals, and merges needless attribute splits. Faces keep their order.
-/// Afterwards the mesh has no T-junction, no degenerate face and no duplicate of equal look, unless the report says that the
-/// limit of passes (kMostPasses) or of new faces was reached. Even then no count is larger than before: groups of faces that
-/// would have more are left as they were. No position moves farther than both tolerances together.
+/// Makes an imported mesh fit for simplification and drawing: welds positions, removes degenerate and
+/// duplicate faces, inserts T-vertices, orients neighbours alike and closed groups outwards, splits
+/// non-manifold edges, computes missing normals, and merges needless attribute splits. Faces keep their
+/// order. Afterwards the mesh has no T-junction, no degenerate face and no duplicate of equal look, unless
+/// the report says that the limit of passes (kMostPasses) or of new faces was reached. Even then no count is
+/// larger than before: groups of faces that would have more are left as they were. No position moves farther
+/// than both tolerances together.
 /// Cost: a million triangles in some 3 s.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11),
-/// Consolidation.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002,
+/// chapter 11), Consolidation.
 ConsolidateReport consolidate(Mesh& mesh, const ConsolidateOptions& options = {});
 
 constexpr int kMostPasses = 20;

@@ -16,8 +16,8 @@ struct TVertices
 {
     std::size_t inserted = 0; ///< vertices inserted into edges of faces, once for each face
     std::size_t stitched = 0; ///< vertices merged with the near end of an edge
-    std::size_t slivers =
-        0; ///< removed: open faces whose own corner is the T-vertex and lower than the tolerance, or thin ones
+    /// removed: open faces whose own corner is the T-vertex and lower than the tolerance, or thin ones
+    std::size_t slivers = 0;
     std::size_t moved =
         0; ///< vertices moved half-way to their edge, since they were farther than half the tolerance
 
@@ -37,14 +37,17 @@ struct TVertexState
     std::vector<std::uint32_t> waiting{}; ///< positions of T-junctions that the latest pass postponed
 };
 
-/// Makes one pass against T-junctions (see findTJunctions()). A vertex with its foot within twice the tolerance of an end of the
-/// edge is merged with that end, at their middle; a pass that merges does nothing else. Otherwise each open edge is split at the
-/// vertices on it, with its faces. New corners get attributes interpolated along the edge, so shading and texture do not change.
-/// An edge that is bent in this way may create new T-junctions: call the function until it changes nothing.
-/// No position moves farther than the tolerance in all passes together; a vertex that would remains a T-junction.
-/// A pass that would exceed the limit of new faces, or whose search is cut short, inserts nothing: the tolerance is then larger than the details of the mesh.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Edge
-/// cracking and T-vertices: the vertex is inserted into the neighbouring polygon, which is then triangulated; here by bisection.
+/// Makes one pass against T-junctions (see findTJunctions()). A vertex with its foot within twice the
+/// tolerance of an end of the edge is merged with that end, at their middle; a pass that merges does nothing
+/// else. Otherwise each open edge is split at the vertices on it, with its faces. New corners get attributes
+/// interpolated along the edge, so shading and texture do not change. An edge that is bent in this way may
+/// create new T-junctions: call the function until it changes nothing. No position moves farther than the
+/// tolerance in all passes together; a vertex that would remains a T-junction. A pass that would exceed the
+/// limit of new faces, or whose search is cut short, inserts nothing: the tolerance is then larger than the
+/// details of the mesh.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002,
+/// chapter 11), Edge cracking and T-vertices: the vertex is inserted into the neighbouring polygon, which is
+/// then triangulated; here by bisection.
 TVertices insertTVertices(Mesh& mesh, TVertexState& state);
 
 } // namespace osgPMObjects::core

@@ -8,7 +8,8 @@
 namespace osgPMObjects::core
 {
 
-/// The largest difference of attributes that count as equal. The defaults are below the resolution of 8-bit channels.
+/// The largest difference of attributes that count as equal. The defaults are below the resolution of 8-bit
+/// channels.
 struct WedgeTolerance
 {
     float normal = 1e-6f;   ///< in each component
@@ -25,9 +26,9 @@ struct MergedWedges
     std::size_t unseenAttributes = 0; ///< attributes dropped, counted once for each material and attribute
 };
 
-/// Removes needless attribute splits: wedges of one position and one material with equal attributes become one, the first that is
-/// equal to the tolerance. The result has wedges in the order of their positions, each used by one material only. On real
-/// vehicles this saves more vertex work than any order of faces.
+/// Removes needless attribute splits: wedges of one position and one material with equal attributes become
+/// one, the first that is equal to the tolerance. The result has wedges in the order of their positions, each
+/// used by one material only. On real vehicles this saves more vertex work than any order of faces.
 MergedWedges mergeWedges(Mesh& mesh, const WedgeTolerance& tolerance = {});
 
 /// Removes positions and wedges that no face uses; the others keep their order.

@@ -8,8 +8,8 @@
 namespace osgPMObjects::core
 {
 
-/// Removes faces that use a position twice, or whose height over the longest side is at most `height`. Returns their number.
-/// insertTVertices() then inserts the third corner of a flat face into its neighbours.
+/// Removes faces that use a position twice, or whose height over the longest side is at most `height`.
+/// Returns their number. insertTVertices() then inserts the third corner of a flat face into its neighbours.
 std::size_t removeDegenerateFaces(Mesh& mesh, double height);
 
 /// Report of removeDuplicateFaces().
@@ -21,10 +21,10 @@ struct DuplicateFaces
     std::size_t kept = 0;       ///< pairs of front and back with different looks, which both remain
 };
 
-/// Removes duplicates: faces on the same three positions, or on copies of them at the same points. Of faces with the same front the
-/// first opaque one remains: it hides the others when the depth test is "less". Of two faces back to back, the one drawn
-/// from both sides remains. Two one-sided faces of one state become one of a two-sided material (neither side culled, lit from
-/// both); two of different states both remain.
+/// Removes duplicates: faces on the same three positions, or on copies of them at the same points. Of faces
+/// with the same front the first opaque one remains: it hides the others when the depth test is "less". Of
+/// two faces back to back, the one drawn from both sides remains. Two one-sided faces of one state become one
+/// of a two-sided material (neither side culled, lit from both); two of different states both remain.
 DuplicateFaces removeDuplicateFaces(Mesh& mesh);
 
 } // namespace osgPMObjects::core

@@ -16,12 +16,13 @@ struct SplitEdges
     std::size_t copies = 0;      ///< positions added
 };
 
-/// Makes every edge have one face, or two of consistent orientation: positions on edges with more faces, or with two that
-/// disagree, are duplicated. At an edge with more than two faces, pairs of faces stay connected: those of one part and material
-/// first, then the flattest. A face that is left over gets an open edge; so do pairs that are connected
-/// around both ends. Copies have the same coordinates, so images do not change.
-/// Source: Guéziec, Taubin, Lazarus and Horn, *Cutting and stitching: converting sets of polygons to manifold surfaces* (2001),
-/// section 3 (cutting). Differs: cuts only at vertices of the marked edges.
+/// Makes every edge have one face, or two of consistent orientation: positions on edges with more faces, or
+/// with two that disagree, are duplicated. At an edge with more than two faces, pairs of faces stay
+/// connected: those of one part and material first, then the flattest. A face that is left over gets an open
+/// edge; so do pairs that are connected around both ends. Copies have the same coordinates, so images do not
+/// change.
+/// Source: Guéziec, Taubin, Lazarus and Horn, *Cutting and stitching: converting sets of polygons to manifold
+/// surfaces* (2001), section 3 (cutting). Differs: cuts only at vertices of the marked edges.
 SplitEdges splitNonManifoldEdges(Mesh& mesh);
 
 } // namespace osgPMObjects::core

@@ -10,16 +10,18 @@
 namespace osgPMObjects::core
 {
 
-/// The growth of the leaf cards that are left on a rung. Cards grow about their centres to replace those that are gone, so
-/// that a distant crown looks as dense as a near one. The vertex shader applies it, for all levels of a progressive mesh
-/// share their vertices. Without foliage both arrays are empty. Memory: 12 B a wedge.
-/// Source: Cook, Halstead, Planck & Ryu, "Stochastic simplification of aggregate detail" (2007), §3.2, for random subsets.
+/// The growth of the leaf cards that are left on a rung. Cards grow about their centres to replace those that
+/// are gone, so that a distant crown looks as dense as a near one. The vertex shader applies it, for all
+/// levels of a progressive mesh share their vertices. Without foliage both arrays are empty. Memory: 12 B a
+/// wedge.
+/// Source: Cook, Halstead, Planck & Ryu, "Stochastic simplification of aggregate detail" (2007), §3.2, for
+/// random subsets.
 /// Differs: the lost area is measured on the cards that the simplification kept; `kShare`.
 struct CrownGrowth
 {
-    /// The share of the lost area that growth restores, in the logarithm of the area. It is below 1 because lost cards
-    /// were partly hidden, and the cards left are the outer ones. Of 0, 0.2 … 1 it has the least image error
-    /// (docs/algorithms/fields.md).
+    /// The share of the lost area that growth restores, in the logarithm of the area. It is below 1 because
+    /// lost cards were partly hidden, and the cards left are the outer ones. Of 0, 0.2 … 1 it has the least
+    /// image error (docs/algorithms/fields.md).
     static constexpr double kShare = 0.4;
     static constexpr float kMost = 5.0f; ///< the largest scale of a card
 

@@ -27,7 +27,8 @@ struct FieldModel
     SwitchSettings switching;
 };
 
-/// One instance of a model. Frame: the field's. Units: the field's; `scale` turns the model's units into the field's.
+/// One instance of a model. Frame: the field's. Units: the field's; `scale` turns the model's units into the
+/// field's.
 struct FieldObject
 {
     glm::dvec3 position{0.0}; ///< of the model's point 0

@@ -13,8 +13,8 @@ namespace osgPMObjects::core
 /// The vertex attributes of one drawn instance, as the shader reads them (osgPMObjects/ObjectShader).
 struct InstanceAttributes
 {
-    std::array<float, 4>
-        positionAndScale{}; ///< x, y, z of the vertex buffer's 0 relative to the eye, along the field's axes; scale
+    /// x, y, z of the vertex buffer's 0 relative to the eye, along the field's axes; scale
+    std::array<float, 4> positionAndScale{};
     std::array<float, 4> rotation{}; ///< unit quaternion x, y, z, w
     std::array<float, 4>
         transition{}; ///< screen door's lower and upper threshold, morph 0 … 1, first vertex that morphs

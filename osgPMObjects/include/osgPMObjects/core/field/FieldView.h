@@ -12,7 +12,8 @@
 namespace osgPMObjects::core
 {
 
-/// The camera of a field view, and what else changes from frame to frame. Frame: the field's, scaled to metres.
+/// The camera of a field view, and what else changes from frame to frame. Frame: the field's, scaled to
+/// metres.
 struct FieldCamera
 {
     SelectionView view;
@@ -26,23 +27,24 @@ struct FieldCamera
     SceneBudgetSettings budget;
 };
 
-/// The state of one eye's view of a field: by object, the held level and the progress of its switch. An object that was not
-/// visible in the last frame begins at the level that its rule chooses, without a switch, and so does one to which the eye has jumped: by more
-/// than half of its distance since the last frame.
-/// Threads: one at a time. The field must outlive it. Memory: 56 B an object, and some 300 B a visible object.
+/// The state of one eye's view of a field: by object, the held level and the progress of its switch. An
+/// object that was not visible in the last frame begins at the level that its rule chooses, without a switch,
+/// and so does one to which the eye has jumped: by more than half of its distance since the last frame.
+/// Threads: one at a time. The field must outlive it. Memory: 56 B an object, and some 300 B a visible
+/// object.
 class FieldView
 {
 public:
     explicit FieldView(const Field& field);
 
-    /// Chooses the levels of all visible objects, advances their switches, and sorts them into runs to draw. Another camera
-    /// of the same frame gets the switches as the first camera has left them.
+    /// Chooses the levels of all visible objects, advances their switches, and sorts them into runs to draw.
+    /// Another camera of the same frame gets the switches as the first camera has left them.
     FieldDrawList update(const FieldCamera& camera);
 
-    /// Returns the runs to draw for a camera that shows what another one chose, as that of a shadow or of a mirror does, and changes
-    /// nothing. Objects that no camera has chosen in this frame, behind the eye for one, have the level that they would get without
-    /// a budget. `pixelM`: of a camera of parallel rays, for which levels as coarse as its pixels will do, and smaller objects are
-    /// left out; absent for others.
+    /// Returns the runs to draw for a camera that shows what another one chose, as that of a shadow or of a
+    /// mirror does, and changes nothing. Objects that no camera has chosen in this frame, behind the eye for
+    /// one, have the level that they would get without a budget. `pixelM`: of a camera of parallel rays, for
+    /// which levels as coarse as its pixels will do, and smaller objects are left out; absent for others.
     FieldDrawList lend(const FieldCamera& camera, std::optional<double> pixelM = std::nullopt);
 
 private:

@@ -10,16 +10,18 @@
 namespace osgPMObjects::core
 {
 
-/// A few levels of a progressive mesh, the *rungs*, over one set of vertices. Each rung has its own list of faces, in an
-/// order that suits the vertex cache at that level. Many instances share the lists and need no indices of their own. A level
-/// between two rungs is drawn as the finer of them.
-/// Invariant: isLadder(). Memory: 12 B a face of every rung: 41 B a face of the finest level with the default ratio.
-/// Source: the authors, instead of the sliding window of Forsyth, "Comparison of VIPM methods" (2001): that keeps one list
-/// for each run of steps in which no face changes twice; such runs are short, and their order in the cache is poor.
+/// A few levels of a progressive mesh, the *rungs*, over one set of vertices. Each rung has its own list of
+/// faces, in an order that suits the vertex cache at that level. Many instances share the lists and need no
+/// indices of their own. A level between two rungs is drawn as the finer of them.
+/// Invariant: isLadder(). Memory: 12 B a face of every rung: 41 B a face of the finest level with the default
+/// ratio.
+/// Source: the authors, instead of the sliding window of Forsyth, "Comparison of VIPM methods" (2001): that
+/// keeps one list for each run of steps in which no face changes twice; such runs are short, and their order
+/// in the cache is poor.
 struct LevelLadder
 {
-    /// The default for the faces of a rung divided by those of the next finer one, √½: on average a fifth more triangles are
-    /// drawn than needed. With ½ it would be up to twice as many.
+    /// The default for the faces of a rung divided by those of the next finer one, √½: on average a fifth
+    /// more triangles are drawn than needed. With ½ it would be up to twice as many.
     static constexpr double kDefaultRatio = 0.70710678;
 
     struct Rung
@@ -37,8 +39,8 @@ struct LevelLadder
         ends; ///< by rung and group: the end of its faces; they begin at the previous entry's end
     std::vector<Triangle> faces;
 
-    /// Builds the ladder. `table`: of the same mesh; `ratio`: faces of a rung / faces of the next finer one, above 0,
-    /// below 1.
+    /// Builds the ladder. `table`: of the same mesh; `ratio`: faces of a rung / faces of the next finer one,
+    /// above 0, below 1.
     /// Cost: that of playing all steps once a rung, and of ordering the faces.
     static LevelLadder of(const ProgressiveMesh& progressive, const LevelTable& table,
                           double ratio = kDefaultRatio);

@@ -57,11 +57,12 @@ struct GltfModel
     GltfReport report;
 };
 
-/// Reads a .gltf or .glb file (version 2): the default scene with its transforms; triangles, strips and fans; attributes of all
-/// component types. Frame: y-up glTF becomes z-up, (x, y, z) → (x, -z, y).
-/// Errors: not readable, not glTF 2, damaged, compressed (Draco, meshopt) or sparse data; nested too deep; more vertices than 4 million
-/// and 4 for each byte of the buffers, since many nodes draw the same data.
-/// Source: Khronos, *glTF 2.0 specification* (2021), sections 3.6 (accessors) and 3.7 (primitives, attributes).
+/// Reads a .gltf or .glb file (version 2): the default scene with its transforms; triangles, strips and fans;
+/// attributes of all component types. Frame: y-up glTF becomes z-up, (x, y, z) → (x, -z, y).
+/// Errors: not readable, not glTF 2, damaged, compressed (Draco, meshopt) or sparse data; nested too deep;
+/// more vertices than 4 million and 4 for each byte of the buffers, since many nodes draw the same data.
+/// Source: Khronos, *glTF 2.0 specification* (2021), sections 3.6 (accessors) and 3.7 (primitives,
+/// attributes).
 foundation::Result<GltfModel> readGltf(const std::filesystem::path& file);
 
 /// Reads a .glb from memory; files that it refers to are not opened. `name` appears in messages.

@@ -39,13 +39,13 @@ inline HalfEdge previousSide(HalfEdge side)
 /// Returns the faces as triples of position numbers, for connectivity.
 std::vector<Triangle> positionTriangles(const Mesh& mesh);
 
-/// The edge–face structure of a mesh: every edge (a pair of positions) with the sides of all its faces, however many.
-/// Edges are sorted by their lower position, then the higher; sides of an edge by their number. Sides without length belong to no
-/// edge.
-/// Invariant: describes(). Memory: 12 B a side. Cost: linear but for sorting the edges around each position; 40 ms for a million
-/// faces.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11),
-/// Consolidation.
+/// The edge–face structure of a mesh: every edge (a pair of positions) with the sides of all its faces,
+/// however many. Edges are sorted by their lower position, then the higher; sides of an edge by their number.
+/// Sides without length belong to no edge.
+/// Invariant: describes(). Memory: 12 B a side. Cost: linear but for sorting the edges around each position;
+/// 40 ms for a million faces.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002,
+/// chapter 11), Consolidation.
 /// Differs: sorted by position numbers, not by coordinates, since positions are welded before.
 class EdgeTable
 {
@@ -68,8 +68,8 @@ public:
     bool isBoundary(std::uint32_t edge) const { return _first[edge + 1] - _first[edge] == 1; }
     bool isManifold(std::uint32_t edge) const { return _first[edge + 1] - _first[edge] <= 2; }
 
-    /// Whether the table fits these triangles: every side with length is on exactly one edge and has its two ends, and no two
-    /// edges have the same ends.
+    /// Whether the table fits these triangles: every side with length is on exactly one edge and has its two
+    /// ends, and no two edges have the same ends.
     bool describes(std::span<const Triangle> triangles) const;
 
 private:

@@ -9,8 +9,9 @@
 namespace osgPMObjects::core
 {
 
-/// A hash table of numbered elements, with open addressing. It stores numbers only: the caller gives hash and equality with each
-/// look-up. Order of insertion decides which of several equal elements is found, so results do not depend on the hash.
+/// A hash table of numbered elements, with open addressing. It stores numbers only: the caller gives hash and
+/// equality with each look-up. Order of insertion decides which of several equal elements is found, so
+/// results do not depend on the hash.
 /// Memory: 8 to 16 B an element. Threads: one.
 class HashIndex
 {
@@ -20,7 +21,8 @@ public:
     explicit HashIndex(std::size_t expected) : _slots(std::bit_ceil(2 * expected + 16), kNone) {}
 
     /// Returns the number of an equal element, or adds `candidate` and returns it.
-    /// `isEqual(number)` compares the candidate with an element; `hashOf(number)` is called when the table grows.
+    /// `isEqual(number)` compares the candidate with an element; `hashOf(number)` is called when the table
+    /// grows.
     template<class Equal, class Hash>
     std::uint32_t findOrAdd(std::uint32_t candidate, std::uint64_t hash, const Equal& isEqual,
                             const Hash& hashOf)
@@ -58,7 +60,8 @@ private:
     std::size_t _size = 0;
 };
 
-/// Mixes a word into a hash. Source: Appleby, *MurmurHash3* (2011, public domain), finaliser fmix64 and its constants.
+/// Mixes a word into a hash. Source: Appleby, *MurmurHash3* (2011, public domain), finaliser fmix64 and its
+/// constants.
 inline std::uint64_t stir(std::uint64_t hash, std::uint64_t word)
 {
     hash = (hash ^ word) * 0xff51afd7ed558ccdULL;

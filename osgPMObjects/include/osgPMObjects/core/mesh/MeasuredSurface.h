@@ -11,7 +11,8 @@
 namespace osgPMObjects::core
 {
 
-/// A point on a surface, in its triangle: corner 0 + second·(corner 1 - corner 0) + third·(corner 2 - corner 0).
+/// A point on a surface, in its triangle: corner 0 + second·(corner 1 - corner 0) + third·(corner 2 - corner
+/// 0).
 struct SurfacePoint
 {
     glm::dvec3 position{};
@@ -19,9 +20,9 @@ struct SurfacePoint
     double second = 0.0, third = 0.0;
 };
 
-/// A surface prepared for distance measurements: the non-degenerate faces of a mesh (kDegenerateHeight), sample points on them,
-/// and a tree for nearest-point queries.
-/// The mesh must not change. Threads: queries from any number at once. Memory: some 90 B a face, 48 B a point.
+/// A surface prepared for distance measurements: the non-degenerate faces of a mesh (kDegenerateHeight),
+/// sample points on them, and a tree for nearest-point queries. The mesh must not change. Threads: queries
+/// from any number at once. Memory: some 90 B a face, 48 B a point.
 class MeasuredSurface
 {
 public:

@@ -14,7 +14,8 @@
 namespace osgPMObjects::core
 {
 
-/// The surface that a face is drawn with. The state itself (textures, shaders, colours) stays with the importer.
+/// The surface that a face is drawn with. The state itself (textures, shaders, colours) stays with the
+/// importer.
 struct Material
 {
     /// Attributes that a wedge may have besides its position.
@@ -29,8 +30,8 @@ struct Material
     std::string name;
     std::uint32_t state = 0;      ///< the importer's handle, handed back on export
     std::uint32_t attributes = 0; ///< Attribute bits that the wedges of its faces have
-    std::uint32_t unseen =
-        0; ///< attribute bits that the state does not use, present or not: texture coordinates without a texture …
+    /// attribute bits that the state does not use, present or not: texture coordinates without a texture …
+    std::uint32_t unseen = 0;
     bool isTwoSided = false;       ///< neither side is culled
     bool litFromBothSides = false; ///< a face seen from its back is lit with inverted normals
     bool isTransparent = false;    ///< blended: faces behind it are visible
@@ -55,15 +56,16 @@ struct Face
     bool operator==(const Face&) const = default;
 };
 
-/// A triangle mesh in plain arrays. Faces that meet at a point share its position. A *wedge* is a position with the attributes that
-/// some of those faces have there; a position on a crease or a texture seam has several. A wedge is a vertex of the graphics card.
-/// Positions are doubles: at scene coordinates (UTM, Earth-centred) floats have a resolution of half a metre, and welding,
-/// predicates and quadrics need the digits. This costs 6 B a triangle. Attributes are floats.
+/// A triangle mesh in plain arrays. Faces that meet at a point share its position. A *wedge* is a position
+/// with the attributes that some of those faces have there; a position on a crease or a texture seam has
+/// several. A wedge is a vertex of the graphics card.
+/// Positions are doubles: at scene coordinates (UTM, Earth-centred) floats have a resolution of half a metre,
+/// and welding, predicates and quadrics need the digits. This costs 6 B a triangle. Attributes are floats.
 /// Frame: right-handed, that of the imported root. Units: those of the file (metres in a trainer's models).
-/// Invariant: isValid() of MeshCheck.h. Memory: 24 B a position, 4 to 48 a wedge, 20 a face; 55 MB for a closed mesh of a million
-/// triangles with normals and one set of texture coordinates.
-/// Source: Hoppe, *Progressive meshes* (1996), section 2 (corners); wedges: Hoppe, *Efficient implementation of progressive
-/// meshes* (1998).
+/// Invariant: isValid() of MeshCheck.h. Memory: 24 B a position, 4 to 48 a wedge, 20 a face; 55 MB for a
+/// closed mesh of a million triangles with normals and one set of texture coordinates.
+/// Source: Hoppe, *Progressive meshes* (1996), section 2 (corners); wedges: Hoppe, *Efficient implementation
+/// of progressive meshes* (1998).
 struct Mesh
 {
     static constexpr std::size_t kTexCoordSets = 2;

@@ -8,7 +8,8 @@
 namespace osgPMObjects::core
 {
 
-/// Builds a mesh from what importers read. Positions that are equal to the last bit become one; wedges stay as in the file.
+/// Builds a mesh from what importers read. Positions that are equal to the last bit become one; wedges stay
+/// as in the file.
 class MeshBuilder
 {
 public:

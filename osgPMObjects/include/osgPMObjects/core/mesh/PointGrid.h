@@ -14,8 +14,8 @@
 namespace osgPMObjects::core
 {
 
-/// A hashed grid of numbered points, for queries by box. Cells with the same bucket are visited together, and a point may be
-/// visited twice; callers compare distances anyway.
+/// A hashed grid of numbered points, for queries by box. Cells with the same bucket are visited together, and
+/// a point may be visited twice; callers compare distances anyway.
 /// Memory: 8 to 12 B a point. Threads: one that adds; any number that visit.
 class PointGrid
 {

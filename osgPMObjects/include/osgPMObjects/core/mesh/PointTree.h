@@ -13,19 +13,21 @@
 namespace osgPMObjects::core
 {
 
-/// A bounding-volume tree of numbered points, for searches by any test of boxes. The effort of a search follows from what it finds, not
-/// from how the points are spread, unlike that of PointGrid.
-/// Memory: some 20 B a point besides the points, which are referenced. Threads: one that takes points; any number that only visit.
+/// A bounding-volume tree of numbered points, for searches by any test of boxes. The effort of a search
+/// follows from what it finds, not from how the points are spread, unlike that of PointGrid.
+/// Memory: some 20 B a point besides the points, which are referenced. Threads: one that takes points; any
+/// number that only visit.
 /// Cost: building n log n, 0.1 s for half a million.
-/// Source: Bentley, *Multidimensional binary search trees used for associative searching*, 1975. Differs: bounding boxes, leaves of
-/// several points.
+/// Source: Bentley, *Multidimensional binary search trees used for associative searching*, 1975. Differs:
+/// bounding boxes, leaves of several points.
 class PointTree
 {
 public:
     explicit PointTree(std::span<const glm::dvec3> points);
 
-    /// Calls `visit(number)` for all points of leaves whose boxes, and those above them, pass `touches(box)`. `work` is the number of boxes
-    /// and points that may still be looked at; it is reduced, and the search ends when it reaches 0.
+    /// Calls `visit(number)` for all points of leaves whose boxes, and those above them, pass `touches(box)`.
+    /// `work` is the number of boxes and points that may still be looked at; it is reduced, and the search
+    /// ends when it reaches 0.
     template<class Touches, class Visit>
     void visit(const Touches& touches, std::uint64_t& work, const Visit& visit) const
     {

@@ -31,22 +31,25 @@ struct TrianglePoint
 };
 
 /// A bounding-volume tree of triangles, for queries of distance, nearest point and ray hits.
-/// Positions and triangles are referenced and must not change. Memory: 60 B a triangle besides them. Threads: queries from any
-/// number at once. Cost: building n log n, 0.4 s for half a million; some microseconds a query.
+/// Positions and triangles are referenced and must not change. Memory: 60 B a triangle besides them. Threads:
+/// queries from any number at once. Cost: building n log n, 0.4 s for half a million; some microseconds a
+/// query.
 class TriangleTree
 {
 public:
     TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
 
-    /// The distance of a point from the nearest triangle; `most` where none is nearer than that. Units: as the positions.
+    /// The distance of a point from the nearest triangle; `most` where none is nearer than that. Units: as
+    /// the positions.
     double distance(const glm::dvec3& point, double most = std::numeric_limits<double>::infinity()) const;
 
-    /// Returns the same. `work` is the number of triangles that may still be looked at; it is reduced, and at 0 nothing is returned. A point
-    /// lies in the boxes of few triangles, unless most of them cross the whole mesh.
+    /// Returns the same. `work` is the number of triangles that may still be looked at; it is reduced, and at
+    /// 0 nothing is returned. A point lies in the boxes of few triangles, unless most of them cross the whole
+    /// mesh.
     std::optional<double> distance(const glm::dvec3& point, double most, std::uint64_t& work) const;
 
-    /// Calls `visit(triangle)` for triangles in boxes nearer than `squaredBound` to a point, roughly from near to far; `visit` may
-    /// lower the bound.
+    /// Calls `visit(triangle)` for triangles in boxes nearer than `squaredBound` to a point, roughly from
+    /// near to far; `visit` may lower the bound.
     template<class Visit>
     void visitNear(const glm::dvec3& point, double& squaredBound, const Visit& visit) const
     {
@@ -83,8 +86,9 @@ public:
     /// Whether a ray hits a triangle beyond `least` lengths of the direction.
     bool isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const;
 
-    /// Returns the same. `work` is the number of boxes that may still be looked at; it is reduced, and at 0 nothing is returned. A ray
-    /// meets few boxes, unless many triangles lie in one plane or cross the whole mesh.
+    /// Returns the same. `work` is the number of boxes that may still be looked at; it is reduced, and at 0
+    /// nothing is returned. A ray meets few boxes, unless many triangles lie in one plane or cross the whole
+    /// mesh.
     std::optional<bool> isHit(const glm::dvec3& from, const glm::dvec3& direction, double least,
                               std::uint64_t& work) const;
 
@@ -108,7 +112,8 @@ private:
     void build(std::uint32_t first, std::uint32_t last, std::span<const glm::dvec3> centres, unsigned threads,
                std::vector<Node>& nodes);
 
-    /// Calls `look` for the triangles in boxes that the ray enters within `most` lengths, until it returns true. `work`: as for isHit().
+    /// Calls `look` for the triangles in boxes that the ray enters within `most` lengths, until it returns
+    /// true. `work`: as for isHit().
     template<class Look>
     bool follow(const glm::dvec3& from, const glm::dvec3& direction, const double& most, std::uint64_t& work,
                 const Look& look) const;

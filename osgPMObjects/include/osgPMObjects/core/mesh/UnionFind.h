@@ -8,10 +8,11 @@
 namespace osgPMObjects::core
 {
 
-/// Disjoint sets of numbers. The root of a set is its lowest member, so results do not depend on the order of joining.
+/// Disjoint sets of numbers. The root of a set is its lowest member, so results do not depend on the order of
+/// joining.
 /// Cost: amortised some five steps a query.
-/// Source: Tarjan, *Efficiency of a good but not linear set union algorithm* (1975), with path halving. Differs: linked by number,
-/// not by rank.
+/// Source: Tarjan, *Efficiency of a good but not linear set union algorithm* (1975), with path halving.
+/// Differs: linked by number, not by rank.
 class UnionFind
 {
 public:

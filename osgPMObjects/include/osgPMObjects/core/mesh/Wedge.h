@@ -28,7 +28,8 @@ Vector valueOr0(const std::vector<Vector>& values, std::uint32_t i)
     return values.empty() ? Vector(0.0f) : values[i];
 }
 
-/// Appends a value to an attribute array, which stays empty as long as all values are 0. `before`: number of wedges so far.
+/// Appends a value to an attribute array, which stays empty as long as all values are 0. `before`: number of
+/// wedges so far.
 template<class Vector>
 void append(std::vector<Vector>& values, std::size_t before, const Vector& value)
 {

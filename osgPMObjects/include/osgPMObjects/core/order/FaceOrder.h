@@ -15,8 +15,8 @@ enum class FaceOrder
     locality,  ///< for a vertex cache that is a queue of 16 vertices
 };
 
-/// Orders the faces of each part and material (those that one call draws) by the vertices that they share. Equal wedges
-/// (firstEqualWedges()) count as one vertex. Each list position keeps its part and material.
+/// Orders the faces of each part and material (those that one call draws) by the vertices that they share.
+/// Equal wedges (firstEqualWedges()) count as one vertex. Each list position keeps its part and material.
 /// Cost: that of the order, plus a sort.
 void orderFaces(Mesh& mesh, FaceOrder order);
 

@@ -11,10 +11,10 @@
 namespace osgPMObjects::core
 {
 
-/// The dual graph of a mesh: which triangles share edges. Edge i of a triangle runs from corner i to corner i + 1.
-/// Two triangles are neighbours if they run through the edge in opposite directions, so strips keep the orientation. On an
-/// edge with more than two triangles the first ones of both directions are paired, then the second ones, and so on.
-/// Triangles with equal corners have no neighbours.
+/// The dual graph of a mesh: which triangles share edges. Edge i of a triangle runs from corner i to corner i
+/// + 1. Two triangles are neighbours if they run through the edge in opposite directions, so strips keep the
+/// orientation. On an edge with more than two triangles the first ones of both directions are paired, then
+/// the second ones, and so on. Triangles with equal corners have no neighbours.
 /// Memory: 24 B a triangle. Cost: n log n.
 class TriangleAdjacency
 {

@@ -11,8 +11,9 @@
 namespace osgPMObjects::core
 {
 
-/// Returns how many vertices a queue of `cacheSize` vertices transforms when it draws the triangles in their order. The best
-/// is each vertex once (half a vertex a triangle on large closed meshes), the worst three a triangle.
+/// Returns how many vertices a queue of `cacheSize` vertices transforms when it draws the triangles in their
+/// order. The best is each vertex once (half a vertex a triangle on large closed meshes), the worst three a
+/// triangle.
 std::uint64_t fifoTransforms(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                              std::uint32_t cacheSize);
 

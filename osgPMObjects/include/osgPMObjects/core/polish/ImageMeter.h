@@ -28,12 +28,13 @@ struct ImageDifference
     double luminance = 0.0;      ///< root mean square of the difference over pixels that either covers, 0…1
 };
 
-/// Measures what the eye sees of a level: images of it from all around are compared with those of its original, by parallel
-/// projection, lit by a lamp at the camera.
-/// Faces are drawn from both sides, and transparent ones as opaque, so that a silhouette has no hole where the surface has none.
-/// Frame: the level must have the frame and the material numbers of the original. Memory: 4 B a pixel and view, and 16 B a pixel of
-/// each face in the view that is being drawn, for each thread. Deterministic.
-/// Source: Lindstrom and Turk, *Image-driven simplification* (2000), section 3 (images from all around as the error).
+/// Measures what the eye sees of a level: images of it from all around are compared with those of its
+/// original, by parallel projection, lit by a lamp at the camera. Faces are drawn from both sides, and
+/// transparent ones as opaque, so that a silhouette has no hole where the surface has none.
+/// Frame: the level must have the frame and the material numbers of the original. Memory: 4 B a pixel and
+/// view, and 16 B a pixel of each face in the view that is being drawn, for each thread. Deterministic.
+/// Source: Lindstrom and Turk, *Image-driven simplification* (2000), section 3 (images from all around as the
+/// error).
 class ImageMeter
 {
 public:

@@ -29,18 +29,21 @@ struct ArrangementSettings
     Arrangement arrangement = Arrangement::windows;
     /// Number of vertices that the target's vertex cache (a queue) holds; 3 … kMostCacheSize.
     std::uint32_t cacheSize = 16;
-    /// *blocks*, *windows*: faces of a block, at most kMostBlockFaces; 0: 32 for blocks, 1024 to 3072 for windows, by the faces of the material.
+    /// *blocks*, *windows*: faces of a block, at most kMostBlockFaces; 0: 32 for blocks, 1024 to 3072 for
+    /// windows, by the faces of the material.
     std::uint32_t blockFaces = 0;
-    /// *windows*: number of neighbouring blocks that become one less; 2 … kMostWindowBlocks. More blocks keep a better
-    /// order for more moves: 2 moves a step with 2, 4 with 3.
+    /// *windows*: number of neighbouring blocks that become one less; 2 … kMostWindowBlocks. More blocks keep
+    /// a better order for more moves: 2 moves a step with 2, 4 with 3.
     std::uint32_t windowBlocks = 3;
-    /// *tswap*: share of the faces that vanish before the faces are reordered (the "atomic step"); above 0, at most
+    /// *tswap*: share of the faces that vanish before the faces are reordered (the "atomic step"); above 0,
+    /// at most
     /// 1. A smaller share keeps a better order for more moves.
     float tswapStep = 0.1f;
-    /// *tswap*: worth of a face that keeps its slot, and of a processor's cache line that is written anyway. Unit:
-    /// transformed vertices; finite, at least 0.
+    /// *tswap*: worth of a face that keeps its slot, and of a processor's cache line that is written anyway.
+    /// Unit: transformed vertices; finite, at least 0.
     float stayWeight = 1.0f, touchedLineWeight = 0.25f;
-    /// *tswap*: number of faces that are tried before the next one is chosen; 1 (no look-ahead) … kMostLookAhead.
+    /// *tswap*: number of faces that are tried before the next one is chosen; 1 (no look-ahead) …
+    /// kMostLookAhead.
     std::uint32_t lookAhead = 1;
 };
 

@@ -10,7 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// Appends a number in few bytes: seven bits a byte, the lowest first; the top bit tells that more bytes follow.
+/// Appends a number in few bytes: seven bits a byte, the lowest first; the top bit tells that more bytes
+/// follow.
 inline void appendNumber(std::vector<std::byte>& bytes, std::uint64_t number)
 {
     for (; number >= 0x80; number >>= 7)
@@ -47,7 +48,8 @@ struct FixedWidth
     explicit FixedWidth(int width) : bytes(width), mask(~0u >> (32 - 8 * width)) {}
 };
 
-/// Reads what the functions above have appended. It does not check: isValid() checks records from files as a whole before.
+/// Reads what the functions above have appended. It does not check: isValid() checks records from files as a
+/// whole before.
 class ByteReader
 {
 public:

@@ -11,10 +11,12 @@
 namespace osgPMObjects::core
 {
 
-/// Rebuilds the triangle list of any level of a progressive mesh in one pass over the faces of the finest level.
-/// The list has no holes; its faces keep the order of the finest level. It suits large changes of level, and levels
-/// that stay for long; ProgressiveLevel suits small changes. Indices have the same width as those of ProgressiveLevel.
-/// Memory: 14 B a face and 2 B a wedge with 16-bit indices, twice that with 32-bit ones; allocated by the constructor only.
+/// Rebuilds the triangle list of any level of a progressive mesh in one pass over the faces of the finest
+/// level. The list has no holes; its faces keep the order of the finest level. It suits large changes of
+/// level, and levels that stay for long; ProgressiveLevel suits small changes. Indices have the same width as
+/// those of ProgressiveLevel.
+/// Memory: 14 B a face and 2 B a wedge with 16-bit indices, twice that with 32-bit ones; allocated by the
+/// constructor only.
 /// Cost: moveTo() is linear in the faces of the finest level; the constructor plays all steps once.
 /// Threads: one at a time. The mesh must outlive this object and must not change.
 /// Source: "compaction" in Forsyth, "Comparison of VIPM methods" (2001), §4 (skip strips).

@@ -10,7 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// Calls visit(triangle, group) for each face of a level in the order in which it is drawn; holes are skipped.
+/// Calls visit(triangle, group) for each face of a level in the order in which it is drawn; holes are
+/// skipped.
 template<class Visit>
 void forEachDrawnFace(const ProgressiveMesh& progressive, const ProgressiveLevel& level, const Visit& visit)
 {
@@ -25,8 +26,9 @@ void forEachDrawnFace(const ProgressiveMesh& progressive, const ProgressiveLevel
     }
 }
 
-/// Returns the level after `steps` steps as a plain mesh, with its faces in the order in which ProgressiveLevel draws
-/// them. All faces get one part, for a progressive mesh does not keep parts. Cost: that of playing `steps` steps.
+/// Returns the level after `steps` steps as a plain mesh, with its faces in the order in which
+/// ProgressiveLevel draws them. All faces get one part, for a progressive mesh does not keep parts. Cost:
+/// that of playing `steps` steps.
 Mesh meshAfter(const ProgressiveMesh& progressive, std::uint32_t steps);
 
 } // namespace osgPMObjects::core

@@ -31,14 +31,17 @@ struct PmSettings
 {
     static constexpr std::uint32_t kMostStepSections = 32;
 
-    /// True stores positions in 16 bits an axis of the mesh's box, normals in 2 × 16 bits (octahedral), texture
-    /// coordinates in 16 bits of their range, colours in 8 bits. False stores doubles and floats unchanged.
+    /// True stores positions in 16 bits an axis of the mesh's box, normals in 2 × 16 bits (octahedral),
+    /// texture coordinates in 16 bits of their range, colours in 8 bits. False stores doubles and floats
+    /// unchanged.
     bool quantised = false;
-    /// Number of sections of steps, 1 … kMostStepSections. A reader may stop after any section; each doubles the steps.
+    /// Number of sections of steps, 1 … kMostStepSections. A reader may stop after any section; each doubles
+    /// the steps.
     std::uint32_t stepSections = 8;
     /// Bytes that the file carries with the materials; readers get them with the coarsest level.
     std::string attachment;
-    /// Images of the materials, which lie behind the coarsest level: each before the first section of steps that is larger.
+    /// Images of the materials, which lie behind the coarsest level: each before the first section of steps
+    /// that is larger.
     std::vector<PmImage> images;
 };
 
@@ -52,10 +55,10 @@ std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settin
 foundation::Outcome writePm(const std::filesystem::path& file, const ProgressiveMesh& progressive,
                             const PmSettings& settings = {});
 
-/// Reads a `.pm` file section by section, from the coarsest level on. After each section mesh() returns a whole
-/// progressive mesh whose level 0 is the finest level that has been read.
-/// Errors name the stream and the section: no `.pm` file, a wrong check sum, a file cut off, impossible contents. What was
-/// read before an error remains good.
+/// Reads a `.pm` file section by section, from the coarsest level on. After each section mesh() returns a
+/// whole progressive mesh whose level 0 is the finest level that has been read.
+/// Errors name the stream and the section: no `.pm` file, a wrong check sum, a file cut off, impossible
+/// contents. What was read before an error remains good.
 /// Threads: one at a time. The stream must outlive the reader.
 class PmReader
 {
@@ -73,7 +76,8 @@ public:
     /// Cost: linear in the mesh; every step is checked.
     foundation::Result<ProgressiveMesh> mesh() const;
 
-    /// Returns whether the latest error was the end of the stream: what was read before is the beginning of a sound file.
+    /// Returns whether the latest error was the end of the stream: what was read before is the beginning of a
+    /// sound file.
     bool isCutOff() const;
 
     /// Returns PmSettings::attachment; known after the first readMore().

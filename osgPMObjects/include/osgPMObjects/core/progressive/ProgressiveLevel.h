@@ -27,11 +27,12 @@ struct StepStatistics
     std::uint64_t facesMoved = 0;    ///< faces that moved to another slot
 };
 
-/// The index buffer of one level of a progressive mesh; a change of level edits it in place. It begins at the coarsest
-/// level. Its contents depend on the level alone, not on the levels before. A *hole* is a slot with three equal indices,
-/// a triangle without area.
-/// Memory: the indices (16-bit with fewer than 65 536 wedges, else 32-bit) and the largest rearrangement; allocated by the
-/// constructor only. Cost of a change: linear in the steps between the levels and in what they change.
+/// The index buffer of one level of a progressive mesh; a change of level edits it in place. It begins at the
+/// coarsest level. Its contents depend on the level alone, not on the levels before. A *hole* is a slot with
+/// three equal indices, a triangle without area.
+/// Memory: the indices (16-bit with fewer than 65 536 wedges, else 32-bit) and the largest rearrangement;
+/// allocated by the constructor only. Cost of a change: linear in the steps between the levels and in what
+/// they change.
 /// Threads: one at a time. The mesh must outlive this object and must not change.
 class ProgressiveLevel
 {
@@ -41,7 +42,8 @@ public:
     ProgressiveLevel(ProgressiveLevel&&) noexcept;
     ProgressiveLevel& operator=(ProgressiveLevel&&) noexcept;
 
-    /// Plays steps until `steps` of them lead here from the finest level; `steps` ≤ ProgressiveMesh::stepCount.
+    /// Plays steps until `steps` of them lead here from the finest level; `steps` ≤
+    /// ProgressiveMesh::stepCount.
     void moveTo(std::uint32_t steps);
 
     std::uint32_t steps() const;
@@ -58,7 +60,8 @@ public:
     /// Appends the slots to draw of one group of faces, in order.
     void appendRanges(std::uint32_t group, std::vector<SlotRange>& ranges) const;
 
-    /// Appends the slots written since the last call, in order, rounded up to blocks of slots; all slots at the first call.
+    /// Appends the slots written since the last call, in order, rounded up to blocks of slots; all slots at
+    /// the first call.
     void takeChanges(std::vector<SlotRange>& changes);
 
     const StepStatistics& statistics() const;

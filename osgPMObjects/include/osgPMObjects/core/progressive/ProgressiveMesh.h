@@ -30,22 +30,25 @@ struct FaceBlock
     bool operator==(const FaceBlock&) const = default;
 };
 
-/// A *progressive mesh*: a mesh with all its levels of detail. Each level has one position less than the finer one before
-/// it. A level is named by the number of *steps* (edge collapses) that lead to it from the finest level, which is 0.
-/// Vertices lie in split order, so that a level uses the first ones only. A step changes corners of a few faces (*patches*
-/// them), removes some and moves some; it can be undone (vertex split). The faces are stored as the coarsest level and
-/// the steps. A progressive mesh never changes; ProgressiveLevel holds the index buffer of one level.
+/// A *progressive mesh*: a mesh with all its levels of detail. Each level has one position less than the
+/// finer one before it. A level is named by the number of *steps* (edge collapses) that lead to it from the
+/// finest level, which is 0. Vertices lie in split order, so that a level uses the first ones only. A step
+/// changes corners of a few faces (*patches* them), removes some and moves some; it can be undone (vertex
+/// split). The faces are stored as the coarsest level and the steps. A progressive mesh never changes;
+/// ProgressiveLevel holds the index buffer of one level.
 /// Invariant: isValid(). Threads: any number may read it. Memory: that of the vertices, and overheadBytes().
-/// Source: Hoppe, "Progressive meshes" (1996); *Cache-friendly view-independent progressive meshes* (Graphicon 2003),
-/// sections 4 and 5; Forsyth, "Comparison of VIPM methods" (2001). Differs: a table of parents tells what a vertex becomes,
-/// instead of a number in each step; faces lie in blocks with holes (Arrangement::windows).
+/// Source: Hoppe, "Progressive meshes" (1996); *Cache-friendly view-independent progressive meshes*
+/// (Graphicon 2003), sections 4 and 5; Forsyth, "Comparison of VIPM methods" (2001). Differs: a table of
+/// parents tells what a vertex becomes, instead of a number in each step; faces lie in blocks with holes
+/// (Arrangement::windows).
 struct ProgressiveMesh
 {
-    /// Errors are kept for every kErrorStride-th step, so a chosen level may be this many steps finer than necessary.
+    /// Errors are kept for every kErrorStride-th step, so a chosen level may be this many steps finer than
+    /// necessary.
     static constexpr std::uint32_t kErrorStride = 64;
 
-    /// Positions, wedges and materials, without faces. Each step removes the last position left and its wedges, which are
-    /// the last wedges.
+    /// Positions, wedges and materials, without faces. Each step removes the last position left and its
+    /// wedges, which are the last wedges.
     Mesh mesh;
     std::vector<std::uint32_t> parents; ///< by wedge: the lower wedge that replaces it; itself if none does
     std::vector<FaceGroup> groups;
@@ -58,9 +61,10 @@ struct ProgressiveMesh
     std::uint32_t stepCount = 0;
     int slotBytes = 0, wedgeBytes = 0; ///< width of slots and wedges in records
     LevelError finestError;            ///< estimate for level 0; not 0 where finer steps were left out
-    std::vector<LevelError>
-        errors; ///< estimates, of the levels after kErrorStride, 2 kErrorStride, … steps, and of the last level
-    /// The measured errors of some levels, from level 0 on; empty: not measured (measureLevels()). Invariant: areMeasured().
+    /// estimates, of the levels after kErrorStride, 2 kErrorStride, … steps, and of the last level
+    std::vector<LevelError> errors;
+    /// The measured errors of some levels, from level 0 on; empty: not measured (measureLevels()). Invariant:
+    /// areMeasured().
     std::vector<MeasuredLevel> ladder;
 
     /// The sizes of the buffers that a ProgressiveLevel allocates.
@@ -86,22 +90,23 @@ struct ProgressiveMesh
     std::size_t overheadBytes() const;
 };
 
-/// Makes a progressive mesh. Consolidate the mesh first: wedges at one position with equal attributes should be one
-/// wedge. The sequence must belong to the mesh (isSequenceOf()) and have subset placement; the settings must satisfy
-/// checkSettings().
+/// Makes a progressive mesh. Consolidate the mesh first: wedges at one position with equal attributes should
+/// be one wedge. The sequence must belong to the mesh (isSequenceOf()) and have subset placement; the
+/// settings must satisfy checkSettings().
 /// Cost: that of the arrangement; *windows* takes some µs a face.
 ProgressiveMesh buildProgressiveMesh(const Mesh& mesh, const CollapseSequence& sequence,
                                      const ArrangementSettings& settings = {});
 
-/// Returns the most steps whose distance from the original is at most `tolerance` (units of positions): by the measured errors,
-/// or else by the estimates that are kept, which know no kinds.
+/// Returns the most steps whose distance from the original is at most `tolerance` (units of positions): by
+/// the measured errors, or else by the estimates that are kept, which know no kinds.
 std::uint32_t stepsToDistance(const ProgressiveMesh& progressive, double tolerance,
                               ErrorKind kind = ErrorKind::maximum);
 
 /// Returns the largest of the estimates up to `steps` steps.
 LevelError errorAfter(const ProgressiveMesh& progressive, std::uint32_t steps);
 
-/// Tells whether every step can be played and undone within the arrays, with faces of this mesh at every level.
+/// Tells whether every step can be played and undone within the arrays, with faces of this mesh at every
+/// level.
 bool isValid(const ProgressiveMesh& progressive);
 
 } // namespace osgPMObjects::core

@@ -38,8 +38,8 @@ struct Ellipsoid
     }
 };
 
-/// The projected area of a volume that is not wholly beyond the near plane. Its true area is not reliable, so rules choose
-/// the finest level.
+/// The projected area of a volume that is not wholly beyond the near plane. Its true area is not reliable, so
+/// rules choose the finest level.
 inline constexpr double kFullArea = std::numeric_limits<double>::infinity();
 
 } // namespace osgPMObjects::core

@@ -7,8 +7,8 @@
 namespace osgPMObjects::core
 {
 
-/// The corners of a box's outline as the eye sees it, counter-clockwise. Bit a of a corner's number is set if the corner
-/// lies on the positive side of axis a.
+/// The corners of a box's outline as the eye sees it, counter-clockwise. Bit a of a corner's number is set if
+/// the corner lies on the positive side of axis a.
 struct BoxOutline
 {
     std::uint8_t count =
@@ -18,8 +18,9 @@ struct BoxOutline
     bool operator==(const BoxOutline&) const = default;
 };
 
-/// The number of region codes. A code tells on which sides of a box the eye is: bit 2a is set below the negative side of
-/// axis a, bit 2a + 1 above its positive side. Both are never set at once, so the largest code is 42.
+/// The number of region codes. A code tells on which sides of a box the eye is: bit 2a is set below the
+/// negative side of axis a, bit 2a + 1 above its positive side. Both are never set at once, so the largest
+/// code is 42.
 inline constexpr std::uint32_t kBoxRegions = 43;
 
 namespace detail
@@ -71,9 +72,11 @@ constexpr std::array<BoxOutline, kBoxRegions> boxOutlines()
 
 } // namespace detail
 
-/// The outline for each region code. 27 of the 43 codes occur: 6 with four corners, 20 with six, and the inside.
-/// Source: Schmalstieg & Tobler, "Fast projected area computation for three-dimensional bounding boxes" (1999). Differs: the
-/// compiler computes the table from the visible faces; corners are numbered by the bits of their sides.
+/// The outline for each region code. 27 of the 43 codes occur: 6 with four corners, 20 with six, and the
+/// inside.
+/// Source: Schmalstieg & Tobler, "Fast projected area computation for three-dimensional bounding boxes"
+/// (1999). Differs: the compiler computes the table from the visible faces; corners are numbered by the bits
+/// of their sides.
 inline constexpr std::array<BoxOutline, kBoxRegions> kBoxOutlines = detail::boxOutlines();
 
 } // namespace osgPMObjects::core

@@ -9,7 +9,8 @@
 namespace osgPMObjects::core
 {
 
-/// A candidate step of one object to its next finer or coarser point, with the benefit that it gains or loses for its cost.
+/// A candidate step of one object to its next finer or coarser point, with the benefit that it gains or loses
+/// for its cost.
 struct LevelCandidate
 {
     double rate = 0.0; ///< benefit divided by cost
@@ -18,8 +19,8 @@ struct LevelCandidate
         0; ///< the object's point at the time of push(); the candidate is stale once that has changed
 };
 
-/// A heap of candidates. Its top has the largest rate if `finer`, else the smallest; the smaller object number wins a tie.
-/// Stale candidates are removed when they reach the top. Memory: kept by clear().
+/// A heap of candidates. Its top has the largest rate if `finer`, else the smallest; the smaller object
+/// number wins a tie. Stale candidates are removed when they reach the top. Memory: kept by clear().
 template<bool finer>
 class CandidateHeap
 {

@@ -16,7 +16,8 @@
 namespace osgPMObjects::core
 {
 
-/// An object whose level is to be chosen. It is plain data; the caller owns it and the tables that instances share.
+/// An object whose level is to be chosen. It is plain data; the caller owns it and the tables that instances
+/// share.
 /// Frame: world. Units: metres.
 struct SelectableObject
 {
@@ -28,9 +29,9 @@ struct SelectableObject
     OrientedBox box;                     ///< for SelectionMethod::boxArea and ellipsoidArea
     const FacingBins* facing = nullptr;  ///< for SelectionMethod::facingArea; in the frame of the box's axes
     const BenefitCurve* curve = nullptr; ///< for SelectionMethod::budget; of drawable levels only
-    /// The levels that can be drawn, in steps, ascending from 0. The selector takes the coarsest of them that is no
-    /// coarser than the rule asks for. Empty: all levels that SelectionSettings::leastFaces allows; a given list must
-    /// obey it itself.
+    /// The levels that can be drawn, in steps, ascending from 0. The selector takes the coarsest of them that
+    /// is no coarser than the rule asks for. Empty: all levels that SelectionSettings::leastFaces allows; a
+    /// given list must obey it itself.
     std::span<const std::uint32_t> drawable;
 };
 
@@ -63,17 +64,18 @@ public:
     {
     }
 
-    /// Chooses one object's level. `held`: in and out, of this object in this view. An object with the method `budget` gets
-    /// the level of the point that SceneBudget put into `held`; SceneSelector does both.
+    /// Chooses one object's level. `held`: in and out, of this object in this view. An object with the method
+    /// `budget` gets the level of the point that SceneBudget put into `held`; SceneSelector does both.
     Selection select(const SelectableObject& object, HeldLevel& held) const;
 
-    /// Returns priorityGain() of an object: the factor by which its importance and the attention on it magnify it.
+    /// Returns priorityGain() of an object: the factor by which its importance and the attention on it
+    /// magnify it.
     double gainOf(const SelectableObject& object) const
     {
         return priorityGain(object.priority, _attention, _view.eyeWorld, object.sphere);
     }
-    /// Returns the distance to compare with settings: from SelectionView::distancesFrom to the centre of the bounding
-    /// sphere, scaled by SelectionView::distanceScale and divided by the gain. Units: metres.
+    /// Returns the distance to compare with settings: from SelectionView::distancesFrom to the centre of the
+    /// bounding sphere, scaled by SelectionView::distanceScale and divided by the gain. Units: metres.
     double distanceM(const SelectableObject& object, double gain) const;
     /// Returns the error, in the model's units, that its tolerance in pixels allows.
     double toleranceOf(const SelectableObject& object, double gain) const;

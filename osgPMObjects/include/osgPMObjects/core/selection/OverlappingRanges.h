@@ -24,8 +24,9 @@ struct OverlappingRanges
     std::vector<OverlapM> boundaries; ///< near and far ascend, 0 < near < far; one fewer than rows
     std::vector<std::uint32_t> steps; ///< by row: the level to draw
 
-    /// Widens the boundaries of plain ranges: each goes from the boundary / √ratio to the boundary · √ratio. `ratio` > 1; a
-    /// distance that varies by ±5 % switches at most once if `ratio` is above 1.05 / 0.95 = 1.105.
+    /// Widens the boundaries of plain ranges: each goes from the boundary / √ratio to the boundary · √ratio.
+    /// `ratio` > 1; a distance that varies by ±5 % switches at most once if `ratio` is above 1.05 / 0.95 =
+    /// 1.105.
     static OverlappingRanges around(const Ranges& ranges, double ratio = kDefaultBand);
 };
 
@@ -33,8 +34,8 @@ bool isOverlappingRanges(const OverlappingRanges& ranges);
 
 /// Chooses the row for a distance. The held row decides inside an overlap; the finer row if none is held.
 /// Cost: as many comparisons as rows are passed, and two.
-/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002),
-/// section 2.3.2, after King (2000) and Rohlf & Helman (1994).
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal
+/// objects* (2002), section 2.3.2, after King (2000) and Rohlf & Helman (1994).
 std::uint32_t overlappingRangeAt(const OverlappingRanges& ranges, double distanceM, HeldLevel held);
 
 } // namespace osgPMObjects::core

@@ -17,9 +17,9 @@ struct Priority
         false; ///< whether the trainee deals with it now: the target in the sight, the vehicle ahead
 };
 
-/// The rule that turns attention into a gain of detail. Attended objects have the gain `attendedGain`. For the others, if
-/// `gazeInnerDeg` < 180, the gain falls linearly with the angle from the gaze: from 1 at `gazeInnerDeg` to `peripheralGain`
-/// at `gazeOuterDeg`. Invariant: checkSettings().
+/// The rule that turns attention into a gain of detail. Attended objects have the gain `attendedGain`. For
+/// the others, if `gazeInnerDeg` < 180, the gain falls linearly with the angle from the gaze: from 1 at
+/// `gazeInnerDeg` to `peripheralGain` at `gazeOuterDeg`. Invariant: checkSettings().
 struct AttentionRule
 {
     double attendedGain = 2.0;   ///< at least 1
@@ -29,16 +29,18 @@ struct AttentionRule
     glm::dvec3 gaze{0.0, 0.0, -1.0}; ///< direction of the gaze; unit length; frame: world
 };
 
-/// Tells whether a rule is complete and in its ranges: else an error that names the field. priorityGain() does not check.
+/// Tells whether a rule is complete and in its ranges: else an error that names the field. priorityGain()
+/// does not check.
 foundation::Outcome checkSettings(const AttentionRule& rule);
 foundation::Outcome checkSettings(const Priority& priority);
 
-/// Computes the factor by which an object counts as larger than it is seen: importance times attention. All methods use it
-/// in one way, as if a magnifying device were held before this object alone: distances (ranges, the continuous rule) and
-/// tolerances in pixels are divided by it, areas and the benefit in a budget are multiplied by its square. An object of
-/// importance 2 is drawn as a normal one at half its distance.
-/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002),
-/// section 2.3.4, names the principle (King 2000). Differs: the formula.
+/// Computes the factor by which an object counts as larger than it is seen: importance times attention. All
+/// methods use it in one way, as if a magnifying device were held before this object alone: distances
+/// (ranges, the continuous rule) and tolerances in pixels are divided by it, areas and the benefit in a
+/// budget are multiplied by its square. An object of importance 2 is drawn as a normal one at half its
+/// distance.
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal
+/// objects* (2002), section 2.3.4, names the principle (King 2000). Differs: the formula.
 double priorityGain(const Priority& priority, const AttentionRule& rule, const glm::dvec3& eyeWorld,
                     const BoundingSphere& sphere);
 

@@ -14,8 +14,9 @@
 namespace osgPMObjects::core
 {
 
-/// The method that chooses an object's level. Source: Sadykov & Zakharov, *Choosing the level of detail in continuous
-/// simplification of polygonal objects* (2002), sections 2.3 and 5, except for screenError and budget.
+/// The method that chooses an object's level. Source: Sadykov & Zakharov, *Choosing the level of detail in
+/// continuous simplification of polygonal objects* (2002), sections 2.3 and 5, except for screenError and
+/// budget.
 enum class SelectionMethod : std::uint8_t
 {
     ranges,            ///< by distance, without hysteresis: Ranges
@@ -34,8 +35,8 @@ inline constexpr std::size_t kSelectionMethods = 9;
 /// Returns the name of a method in scene descriptions and statistics.
 const char* nameOf(SelectionMethod method);
 
-/// The distances over which an object fades out: alpha is 1 up to `fadeM`, falls linearly to 0 at `goneM`, and the object is
-/// not drawn from there on. An infinite `goneM`, the default, means that it never fades.
+/// The distances over which an object fades out: alpha is 1 up to `fadeM`, falls linearly to 0 at `goneM`,
+/// and the object is not drawn from there on. An infinite `goneM`, the default, means that it never fades.
 /// Units: metres of the author's camera (SelectionView::distanceScale).
 /// Source: Sadykov & Zakharov (2002), section 2.2.3.
 struct AlphaRange
@@ -51,8 +52,8 @@ struct AlphaRange
     }
 };
 
-/// The settings by which objects choose their levels; objects with equal settings share one instance. Each method reads its
-/// own fields only. Invariant: checkSettings().
+/// The settings by which objects choose their levels; objects with equal settings share one instance. Each
+/// method reads its own fields only. Invariant: checkSettings().
 struct SelectionSettings
 {
     SelectionMethod method = SelectionMethod::screenError;
@@ -64,8 +65,8 @@ struct SelectionSettings
     double trianglePx = 1.5; ///< pixels, above 0, finite: argument of referenceDistanceM()
     double tolerancePx =
         1.0; ///< pixels, above 0, finite: error that screenError allows and budget does not refine
-    /// The number of faces below which no level is chosen, by any method; a mesh with fewer faces is drawn whole.
-    /// Callers that give SelectableObject::drawable or ::curve leave such levels out themselves.
+    /// The number of faces below which no level is chosen, by any method; a mesh with fewer faces is drawn
+    /// whole. Callers that give SelectableObject::drawable or ::curve leave such levels out themselves.
     std::uint32_t leastFaces = 0;
     ErrorKind errorKind = ErrorKind::maximum; ///< the measured error that screenError and budget bound
     AttributeWeights weights;
@@ -77,8 +78,8 @@ struct SelectionSettings
     ErrorMeasure measure() const { return {weights, errorKind}; }
 };
 
-/// Tells whether settings can choose among `levels` levels (LevelTable): else an error that names the field and the remedy.
-/// Check settings that a user wrote once with this; the rules themselves do not check.
+/// Tells whether settings can choose among `levels` levels (LevelTable): else an error that names the field
+/// and the remedy. Check settings that a user wrote once with this; the rules themselves do not check.
 foundation::Outcome checkSettings(const SelectionSettings& settings, std::uint32_t levels);
 
 } // namespace osgPMObjects::core

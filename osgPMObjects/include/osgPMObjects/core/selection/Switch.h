@@ -8,8 +8,8 @@
 namespace osgPMObjects::core
 {
 
-/// The way in which an object changes from one level to another. Source: Sadykov & Zakharov, *Choosing the level of detail
-/// in continuous simplification of polygonal objects* (2002), section 2.2.
+/// The way in which an object changes from one level to another. Source: Sadykov & Zakharov, *Choosing the
+/// level of detail in continuous simplification of polygonal objects* (2002), section 2.2.
 enum class SwitchMethod : std::uint8_t
 {
     discrete,   ///< at once
@@ -22,11 +22,11 @@ enum class SwitchMethod : std::uint8_t
 /// The alphas of the two levels of a blend over time.
 enum class BlendProfile : std::uint8_t
 {
-    /// The alphas sum up to 1. It suits screen doors with complementary holes; with alpha blending the background shows
-    /// through.
+    /// The alphas sum up to 1. It suits screen doors with complementary holes; with alpha blending the
+    /// background shows through.
     cross,
-    /// The new level fades in over the old one, which stays opaque; then the old one fades out behind the new one. One level
-    /// is opaque and writes depth at any time. Source: Giegl & Wimmer, "Unpopping" (2007).
+    /// The new level fades in over the old one, which stays opaque; then the old one fades out behind the new
+    /// one. One level is opaque and writes depth at any time. Source: Giegl & Wimmer, "Unpopping" (2007).
     over,
 };
 
@@ -46,7 +46,8 @@ inline bool takesTime(SwitchMethod method)
     return method == SwitchMethod::blend || method == SwitchMethod::geomorph;
 }
 
-/// Tells whether switches can be made by these settings: else an error that names the field. advanceSwitch() does not check.
+/// Tells whether switches can be made by these settings: else an error that names the field. advanceSwitch()
+/// does not check.
 foundation::Outcome checkSettings(const SwitchSettings& settings);
 
 /// The state of one object's switch in one view, kept by the caller.
@@ -78,20 +79,21 @@ struct DrawnLevel
 struct DrawnLevels
 {
     DrawnLevel first, second;
-    /// Geomorph: `first` is the finer level, `coarser` the other one. 0: vertices have their own positions; 1: those that
-    /// they have in the coarser level.
+    /// Geomorph: `first` is the finer level, `coarser` the other one. 0: vertices have their own positions;
+    /// 1: those that they have in the coarser level.
     float morph = 0.0f;
     std::uint32_t coarser = 0;
 
     bool isDrawn() const { return first.alpha > 0.0f || second.alpha > 0.0f; }
 };
 
-/// Advances one object's switch by a time step towards the level that selection has chosen; returns the levels to draw.
-/// A switch that has begun finishes before the next one begins; only if the target is the level that it came from, it runs
-/// back. So at most two levels are drawn. In a step of dt no alpha or morph changes by more than 2·dt/duration (`over`) or
-/// dt/duration (`cross`, geomorph): the rest of a step in which a switch ends is not used for the next switch.
-/// `alpha`: of the alpha range; 0: nothing is drawn, and the object rests at its target. `number`: the object's, for the
-/// stagger. Deterministic: no clock, no random numbers.
+/// Advances one object's switch by a time step towards the level that selection has chosen; returns the
+/// levels to draw. A switch that has begun finishes before the next one begins; only if the target is the
+/// level that it came from, it runs back. So at most two levels are drawn. In a step of dt no alpha or morph
+/// changes by more than 2·dt/duration (`over`) or dt/duration (`cross`, geomorph): the rest of a step in
+/// which a switch ends is not used for the next switch.
+/// `alpha`: of the alpha range; 0: nothing is drawn, and the object rests at its target. `number`: the
+/// object's, for the stagger. Deterministic: no clock, no random numbers.
 DrawnLevels advanceSwitch(SwitchState& state, std::uint32_t target, float stepS, float alpha,
                           std::uint32_t number, const SwitchSettings& settings);
 

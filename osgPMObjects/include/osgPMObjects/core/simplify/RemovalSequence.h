@@ -45,7 +45,8 @@ struct RemovalStep
 };
 
 /// A mesh's levels of detail as vertex removals, one position a step, until no position can be removed.
-/// Faces are numbered: those of the mesh first, then the added ones. Faces of every level use wedges of the mesh.
+/// Faces are numbered: those of the mesh first, then the added ones. Faces of every level use wedges of the
+/// mesh.
 /// Invariant: removalDefectOf() is empty. Units: as the positions. Memory: some 140 B a step.
 struct RemovalSequence
 {
@@ -75,14 +76,15 @@ struct RemovalLevel
     bool isClamped = false;  ///< fewer were removed than asked for, since no more can be
 };
 
-/// Returns the mesh without the first `removals` positions of the sequence. Positions and wedges keep their numbers, used or not.
-/// Remaining faces keep their order; added ones follow. Cost: linear.
+/// Returns the mesh without the first `removals` positions of the sequence. Positions and wedges keep their
+/// numbers, used or not. Remaining faces keep their order; added ones follow. Cost: linear.
 RemovalLevel meshAfter(const Mesh& mesh, const RemovalSequence& sequence, std::size_t removals);
 
-/// Checks that a sequence fits the mesh; returns a description of the first defect, or an empty string. Each step must remove one
-/// existing position with exactly its faces, and add faces that fill the hole and nothing else: with the sides of its contour, one
-/// more side for each open contour, and wedges, materials and parts of the removed faces. No edge may get two faces of one
-/// direction. Errors must not decrease. Steps that remove a part must remove all of it. Cost: linear in what is stored.
+/// Checks that a sequence fits the mesh; returns a description of the first defect, or an empty string. Each
+/// step must remove one existing position with exactly its faces, and add faces that fill the hole and
+/// nothing else: with the sides of its contour, one more side for each open contour, and wedges, materials
+/// and parts of the removed faces. No edge may get two faces of one direction. Errors must not decrease.
+/// Steps that remove a part must remove all of it. Cost: linear in what is stored.
 std::string removalDefectOf(const RemovalSequence& sequence, const Mesh& mesh);
 
 inline bool isSequenceOf(const RemovalSequence& sequence, const Mesh& mesh)

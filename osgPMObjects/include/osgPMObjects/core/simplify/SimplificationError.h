@@ -11,8 +11,8 @@
 namespace osgPMObjects::core
 {
 
-/// Measured distances between a level of detail and its original, in per cent of the diagonal of the original's box. Infinite
-/// when only one of the two has a surface.
+/// Measured distances between a level of detail and its original, in per cent of the diagonal of the
+/// original's box. Infinite when only one of the two has a surface.
 struct SimplificationError
 {
     double meanPercent = 0.0; ///< mean distance to the other surface, over points spread by area on both

@@ -31,20 +31,21 @@ struct OctreeDivisions
     bool isValid() const;
 };
 
-/// The cell of a point in or on the box, and the centre of a cell. Cells are half open except the last along an axis, so
-/// each point belongs to one cell.
+/// The cell of a point in or on the box, and the centre of a cell. Cells are half open except the last along
+/// an axis, so each point belongs to one cell.
 std::array<std::uint32_t, 3> cellOf(const glm::dvec3& point, const Extent& box,
                                     const OctreeDivisions& divisions);
 glm::dvec3 centreOf(const std::array<std::uint32_t, 3>& cell, const Extent& box,
                     const OctreeDivisions& divisions);
 
-/// Returns by position whether it is a support vertex: the farthest from, or nearest to, the centre of its cell. The octree
-/// covers the box of all positions that faces use. Of equal distances all are support vertices, so the result does not depend on
-/// their order.
+/// Returns by position whether it is a support vertex: the farthest from, or nearest to, the centre of its
+/// cell. The octree covers the box of all positions that faces use. Of equal distances all are support
+/// vertices, so the result does not depend on their order.
 /// `divisions`: valid. Cost: n log n. Units: as the positions.
-/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002), section 4.
-/// Differs: the formula for centres there, (x_min + x_max) / 2k, is a misprint that gives all cells of an axis one centre; and a
-/// point on the border of two cells belongs to both, here to the upper one.
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal
+/// objects* (2002), section 4.
+/// Differs: the formula for centres there, (x_min + x_max) / 2k, is a misprint that gives all cells of an
+/// axis one centre; and a point on the border of two cells belongs to both, here to the upper one.
 std::vector<bool> supportVertices(const Mesh& mesh, const OctreeDivisions& divisions, SupportRule rule);
 
 } // namespace osgPMObjects::core

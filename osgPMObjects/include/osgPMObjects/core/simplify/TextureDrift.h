@@ -24,15 +24,17 @@ struct TextureDrift
     std::size_t samples = 0;
 };
 
-/// Measures the drift of texture coordinates (set 0) between a level and its original, at points spread over the level. Each
-/// point is compared with the nearest original face of the same material and orientation. Of faces that are equally near, within
-/// 0.1 % of the distance and a millionth of the diagonal, the one with the least difference counts, so that coincident surfaces and
-/// seams are no drift. Where no face has the same orientation, all faces count.
-/// A few points beside seams decide the mean and the largest value: they are nearer to the other side of a seam since the surface
-/// has moved. Hence the 99th percentile.
-/// The original must not change. Threads: measure() from any number at once; each call is parallel.
-/// Source: the texture deviation of Cohen, Olano and Manocha, *Appearance-preserving simplification* (1998), section 5. Differs:
-/// sampled, not bounded, and by nearest point, since other simplifiers give no correspondence.
+/// Measures the drift of texture coordinates (set 0) between a level and its original, at points spread over
+/// the level. Each point is compared with the nearest original face of the same material and orientation. Of
+/// faces that are equally near, within 0.1 % of the distance and a millionth of the diagonal, the one with
+/// the least difference counts, so that coincident surfaces and seams are no drift. Where no face has the
+/// same orientation, all faces count.
+/// A few points beside seams decide the mean and the largest value: they are nearer to the other side of a
+/// seam since the surface has moved. Hence the 99th percentile. The original must not change. Threads:
+/// measure() from any number at once; each call is parallel.
+/// Source: the texture deviation of Cohen, Olano and Manocha, *Appearance-preserving simplification* (1998),
+/// section 5. Differs: sampled, not bounded, and by nearest point, since other simplifiers give no
+/// correspondence.
 class TextureDriftMeter
 {
 public:
@@ -41,7 +43,8 @@ public:
     TextureDriftMeter(const TextureDriftMeter&) = delete;
     TextureDriftMeter& operator=(const TextureDriftMeter&) = delete;
 
-    /// Empty when no face of the level has a material with texture coordinates. Materials are numbered as in the original.
+    /// Empty when no face of the level has a material with texture coordinates. Materials are numbered as in
+    /// the original.
     std::optional<TextureDrift> measure(const MeasuredSurface& level) const;
 
 private:

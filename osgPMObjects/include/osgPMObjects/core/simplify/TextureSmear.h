@@ -11,7 +11,8 @@
 namespace osgPMObjects::core
 {
 
-/// How far a level shows its texture from where the original has it: distances in space, in units of the positions.
+/// How far a level shows its texture from where the original has it: distances in space, in units of the
+/// positions.
 struct TextureSmear
 {
     double mean = 0.0;         ///< over the points whose coordinates the original has somewhere
@@ -21,13 +22,14 @@ struct TextureSmear
     std::size_t samples = 0;
 };
 
-/// Measures for points spread over a level how far away the original has the same texture coordinates (set 0) on a face of the same
-/// material. Coordinates that the original has nowhere, within two texels of a texture of 1024 × 1024, lie between its charts: there
-/// the level smears one chart into another. TextureDrift compares the other way round, by nearest place, which beside the border of two
-/// charts says how far apart they are in the image.
-/// Where a texture repeats, the nearest repetition counts.
-/// The original must not change. Threads: measure() from any number at once; each call is parallel.
-/// Source: the texture deviation of Cohen, Olano and Manocha, *Appearance-preserving simplification* (1998), section 5. Differs: sampled.
+/// Measures for points spread over a level how far away the original has the same texture coordinates (set 0)
+/// on a face of the same material. Coordinates that the original has nowhere, within two texels of a texture
+/// of 1024 × 1024, lie between its charts: there the level smears one chart into another. TextureDrift
+/// compares the other way round, by nearest place, which beside the border of two charts says how far apart
+/// they are in the image. Where a texture repeats, the nearest repetition counts. The original must not
+/// change. Threads: measure() from any number at once; each call is parallel.
+/// Source: the texture deviation of Cohen, Olano and Manocha, *Appearance-preserving simplification* (1998),
+/// section 5. Differs: sampled.
 class TextureSmearMeter
 {
 public:
@@ -36,8 +38,9 @@ public:
     TextureSmearMeter(const TextureSmearMeter&) = delete;
     TextureSmearMeter& operator=(const TextureSmearMeter&) = delete;
 
-    /// `allowed`: distance up to which a texture may be shifted, such as the level's largest distance from the original: then it is
-    /// shifted by more than a pixel where the level is shown with an error of one. Empty where nothing has texture coordinates.
+    /// `allowed`: distance up to which a texture may be shifted, such as the level's largest distance from
+    /// the original: then it is shifted by more than a pixel where the level is shown with an error of one.
+    /// Empty where nothing has texture coordinates.
     std::optional<TextureSmear> measure(const MeasuredSurface& level, double allowed) const;
 
 private:

@@ -12,21 +12,23 @@
 namespace osgPMObjects::core
 {
 
-/// Finds coarse levels of a sequence whose measured largest distance from the original keeps a tolerance. Estimates
-/// (LevelError) play no part. Each level is measured once.
-/// The mesh, the sequence and the meter (of the same mesh) must outlive it. Threads: one at a time; measuring is parallel.
+/// Finds coarse levels of a sequence whose measured largest distance from the original keeps a tolerance.
+/// Estimates (LevelError) play no part. Each level is measured once. The mesh, the sequence and the meter (of
+/// the same mesh) must outlive it. Threads: one at a time; measuring is parallel.
 class ToleranceSearch
 {
 public:
-    /// The share of a tolerance that a measured distance may reach; the rest covers what lies between samples.
+    /// The share of a tolerance that a measured distance may reach; the rest covers what lies between
+    /// samples.
     static constexpr double kShare = 0.98;
 
     ToleranceSearch(const Mesh& mesh, const CollapseSequence& sequence, const LevelMeter& meter);
 
-    /// Returns the number of steps to the coarsest level of a ladder that keeps the tolerance (units of positions), or to a
-    /// level that is still coarser and keeps it, too; 0 if no coarser level keeps it. Steps that belong together
-    /// (`goesOn`) are not separated.
-    /// Cost: LevelMeter::measure() for some 80 levels at the first call with a small tolerance, then for a few.
+    /// Returns the number of steps to the coarsest level of a ladder that keeps the tolerance (units of
+    /// positions), or to a level that is still coarser and keeps it, too; 0 if no coarser level keeps it.
+    /// Steps that belong together (`goesOn`) are not separated.
+    /// Cost: LevelMeter::measure() for some 80 levels at the first call with a small tolerance, then for a
+    /// few.
     std::size_t coarsestWithin(double tolerance);
 
 private:

@@ -15,22 +15,24 @@
 namespace osgPMObjects::core
 {
 
-/// The most corners of a loop for which leastConvexPieces() searches: its time grows with the fifth power of them.
+/// The most corners of a loop for which leastConvexPieces() searches: its time grows with the fifth power of
+/// them.
 constexpr std::size_t kMostCornersForLeastPieces = 128;
 
-/// Unites triangles to convex pieces: at most four times the least number of pieces. Pieces are counter-clockwise and may
-/// have straight corners. `triangles`: counter-clockwise, in one plane, meeting along whole edges.
-/// Cost: n log n. Source: Hertel & Mehlhorn, "Fast triangulation of the plane with respect to simple polygons" (1985);
-/// Jin, *Polygon Techniques*, "quick and dirty".
+/// Unites triangles to convex pieces: at most four times the least number of pieces. Pieces are
+/// counter-clockwise and may have straight corners. `triangles`: counter-clockwise, in one plane, meeting
+/// along whole edges.
+/// Cost: n log n. Source: Hertel & Mehlhorn, "Fast triangulation of the plane with respect to simple
+/// polygons" (1985); Jin, *Polygon Techniques*, "quick and dirty".
 std::vector<Loop> uniteConvex(std::span<const glm::dvec2> points, std::span<const Triangle> triangles);
 
-/// Finds the least number of convex pieces whose corners are all corners of the loop. Returns nothing if the loop has more
-/// than kMostCornersForLeastPieces corners or is not simple.
-/// A loop made by bridgeHoles() is cut along its bridges; without this restriction fewer pieces may be possible, but the
-/// problem for polygons with holes is NP-hard (Lingas 1982).
-/// Source: Jin, *Polygon Techniques*, "optimal"; dynamic programming over sub-polygons after Keil, "Decomposing a
-/// polygon into simpler components" (1985). Differs: the piece at each diagonal is the convex chain of least cost among
-/// all chains.
+/// Finds the least number of convex pieces whose corners are all corners of the loop. Returns nothing if the
+/// loop has more than kMostCornersForLeastPieces corners or is not simple. A loop made by bridgeHoles() is
+/// cut along its bridges; without this restriction fewer pieces may be possible, but the problem for polygons
+/// with holes is NP-hard (Lingas 1982).
+/// Source: Jin, *Polygon Techniques*, "optimal"; dynamic programming over sub-polygons after Keil,
+/// "Decomposing a polygon into simpler components" (1985). Differs: the piece at each diagonal is the convex
+/// chain of least cost among all chains.
 std::optional<std::vector<Loop>> leastConvexPieces(std::span<const glm::dvec2> points, const Loop& loop);
 
 enum class ConvexMethod

@@ -12,16 +12,16 @@
 namespace osgPMObjects::core
 {
 
-/// A point at which two edges cross, and which no contour has. Its position and attributes are weighted sums of those of the
-/// four ends of the edges; each edge has half of the weight.
+/// A point at which two edges cross, and which no contour has. Its position and attributes are weighted sums
+/// of those of the four ends of the edges; each edge has half of the weight.
 struct InsertedPoint
 {
     std::array<std::uint32_t, 4> corners{};
     std::array<double, 4> weights{};
 };
 
-/// An edge between two points of the plane. `winding` counts how often contours run along it from `from` to `to`, minus the
-/// opposite direction.
+/// An edge between two points of the plane. `winding` counts how often contours run along it from `from` to
+/// `to`, minus the opposite direction.
 struct NodedEdge
 {
     std::uint32_t from, to;
@@ -41,12 +41,12 @@ struct NodedEdges
     bool isSnapped = false; ///< true if corners were moved: by at most 2^-20 of the largest coordinate
 };
 
-/// Divides edges where they cross or touch, and repeats it until none do: rounding a crossing bends its edges, which may
-/// cause new crossings. `corners`, `contourSizes`: as projectPolygon() returns them. Returns nothing if the edges cannot be
-/// separated even on a grid of 2^-20.
+/// Divides edges where they cross or touch, and repeats it until none do: rounding a crossing bends its
+/// edges, which may cause new crossings. `corners`, `contourSizes`: as projectPolygon() returns them. Returns
+/// nothing if the edges cannot be separated even on a grid of 2^-20.
 /// Cost: a few passes over the pairs of edges whose boxes overlap in x.
-/// Source: after Halperin & Packer, "Iterated snap rounding" (2002). Differs: only crossings are rounded and corners stay;
-/// if that does not end, all points are rounded to a grid, which grows coarser until it ends.
+/// Source: after Halperin & Packer, "Iterated snap rounding" (2002). Differs: only crossings are rounded and
+/// corners stay; if that does not end, all points are rounded to a grid, which grows coarser until it ends.
 std::optional<NodedEdges> nodeEdges(std::span<const glm::dvec2> corners,
                                     std::span<const std::uint32_t> contourSizes);
 

@@ -21,8 +21,9 @@ struct OutlineOptions
     InsideRule inside = InsideRule::odd;
 };
 
-/// A polygon in the plane, ready for triangulation: each part of its inside is one loop without holes that crosses neither
-/// itself nor other loops. Point numbers: the corners of all contours in their order, then the inserted points.
+/// A polygon in the plane, ready for triangulation: each part of its inside is one loop without holes that
+/// crosses neither itself nor other loops. Point numbers: the corners of all contours in their order, then
+/// the inserted points.
 struct PolygonOutline
 {
     std::vector<glm::dvec2> points;

@@ -10,7 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// The rule that chooses the diagonal of a quad. If both diagonals are equal, the one from corner 0 is chosen.
+/// The rule that chooses the diagonal of a quad. If both diagonals are equal, the one from corner 0 is
+/// chosen.
 enum class DiagonalRule
 {
     leastColourDifference,   ///< joins corners with the most similar colours: for precomputed lighting
@@ -30,18 +31,19 @@ struct QuadCorner
 
 using Quad = std::array<QuadCorner, 4>;
 
-/// Tells whether a rule is for height fields. It sees quads from above, however steep; other rules see them along their
-/// average normal.
+/// Tells whether a rule is for height fields. It sees quads from above, however steep; other rules see them
+/// along their average normal.
 constexpr bool isForHeightFields(DiagonalRule rule)
 {
     return rule != DiagonalRule::leastColourDifference && rule != DiagonalRule::leastNormalDifference;
 }
 
-/// Tells which diagonals (from corner 0, from corner 1) lie inside the quad as the rule sees it: both for a convex quad, the
-/// one at the reflex corner for a concave quad, none for a bow-tie or a quad without area.
+/// Tells which diagonals (from corner 0, from corner 1) lie inside the quad as the rule sees it: both for a
+/// convex quad, the one at the reflex corner for a concave quad, none for a bow-tie or a quad without area.
 std::array<bool, 2> diagonalsInside(const Quad& quad, DiagonalRule rule);
 
-/// Chooses the diagonal among diagonalsInside(): 0 for 0–2, 1 for 1–3. Nothing: the quad must be cut as a polygon.
+/// Chooses the diagonal among diagonalsInside(): 0 for 0–2, 1 for 1–3. Nothing: the quad must be cut as a
+/// polygon.
 /// Source: Jin, *Polygon Techniques*, "shading": least difference, and the four rules for height fields.
 std::optional<std::uint32_t> chooseDiagonal(const Quad& quad, DiagonalRule rule);
 

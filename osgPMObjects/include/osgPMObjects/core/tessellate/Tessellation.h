@@ -15,8 +15,8 @@ namespace osgPMObjects::core
 {
 
 /// A polygon as triangles. Point numbers: the corners in the order of the contours, then the inserted points.
-/// Invariant: in the projection the triangles do not overlap, none has area zero, and together they are the inside; each
-/// point on the border of a triangle is one of its corners.
+/// Invariant: in the projection the triangles do not overlap, none has area zero, and together they are the
+/// inside; each point on the border of a triangle is one of its corners.
 struct Tessellation
 {
     std::vector<Triangle> triangles;
@@ -26,9 +26,11 @@ struct Tessellation
     std::uint32_t bridges = 0;       ///< holes
 };
 
-/// Triangulates any polygon: concave, of several contours, with holes, with contours that touch or cross each other or
-/// themselves; PolygonOutline.h describes the parameters. A polygon without area gives no triangles and is not an error.
-/// Errors: those of outlinePolygon(). Cost: see EarClipping.h. Source: Jin, *Polygon Techniques*, "tessellation".
+/// Triangulates any polygon: concave, of several contours, with holes, with contours that touch or cross each
+/// other or themselves; PolygonOutline.h describes the parameters. A polygon without area gives no triangles
+/// and is not an error.
+/// Errors: those of outlinePolygon(). Cost: see EarClipping.h. Source: Jin, *Polygon Techniques*,
+/// "tessellation".
 foundation::Result<Tessellation> tessellate(std::span<const glm::dvec3> corners,
                                             std::span<const std::uint32_t> contourSizes,
                                             const OutlineOptions& options = {});

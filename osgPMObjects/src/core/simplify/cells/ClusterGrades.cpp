@@ -23,7 +23,8 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// Returns the largest angle between two of the directions; for many, twice the largest from their mean, which is no less.
+/// Returns the largest angle between two of the directions; for many, twice the largest from their mean,
+/// which is no less.
 double largestAngle(const std::vector<glm::dvec3>& edges)
 {
     double largest = 0.0;

@@ -56,7 +56,8 @@ void choose(const Mesh& mesh, ClusteredMesh& clustered)
             isUsed[p] ? chosen[gridCell(mesh.positions[p], low, clustered.cellSize)] : p;
 }
 
-/// A face of the merged mesh for comparison: rotated so that the lowest corner comes first, with material and part.
+/// A face of the merged mesh for comparison: rotated so that the lowest corner comes first, with material and
+/// part.
 using FaceKey = std::tuple<Triangle, std::uint32_t, std::uint32_t>;
 
 FaceKey keyOf(const Mesh& mesh, const Face& face)

@@ -19,7 +19,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Weight of the edge's length, as a share of the whole quadric at its other end: decides among collapses of equal cost.
+/// Weight of the edge's length, as a share of the whole quadric at its other end: decides among collapses of
+/// equal cost.
 constexpr double kShortness = 1e-6;
 /// The most that texture drift costs, as a distance of the patch and a share of the diagonal.
 constexpr double kDriftDistance = 0.02;
@@ -38,8 +39,8 @@ bool hasFewFaces(const ConnectedPart& part)
                                              [](const ConnectedPart::Kept& k) { return k.faces <= kFew; });
 }
 
-/// Whether an edge is a border of appearance: another material, or other texture coordinates or colours at its near end.
-/// Different normals are a crease only, which the shape itself has.
+/// Whether an edge is a border of appearance: another material, or other texture coordinates or colours at
+/// its near end. Different normals are a crease only, which the shape itself has.
 bool isBorder(const CollapseState& state, const Star& star, std::span<const Star::Side> sides)
 {
     const Star::Spoked& first = star.faces[sides.front().spoked];
@@ -55,7 +56,8 @@ bool isBorder(const CollapseState& state, const Star& star, std::span<const Star
     return false;
 }
 
-/// Whether a face that stays has no area left in plan, or the other side up, when the middle of its star merges into `to` at `at`.
+/// Whether a face that stays has no area left in plan, or the other side up, when the middle of its star
+/// merges into `to` at `at`.
 bool turnsOverInPlan(const Star& star, std::span<const glm::dvec3> positions, std::uint32_t to,
                      const glm::dvec3& at)
 {
@@ -70,7 +72,8 @@ bool turnsOverInPlan(const Star& star, std::span<const glm::dvec3> positions, st
                        });
 }
 
-/// Whether a face that stays lies between three positions of one line, when the middle of its star merges into `to`.
+/// Whether a face that stays lies between three positions of one line, when the middle of its star merges
+/// into `to`.
 bool liesOnALine(const Star& star, std::span<const std::uint8_t> lines, std::uint32_t to)
 {
     return std::any_of(star.faces.begin(), star.faces.end(),
@@ -112,7 +115,8 @@ CollapseChoice::Place CollapseChoice::placeFor(std::uint32_t to) const
     return {at, costAt(edge, at)};
 }
 
-/// Returns the nearest place in the box of the mesh, and in the plane of symmetry or on the axis where the collapse is to stay there.
+/// Returns the nearest place in the box of the mesh, and in the plane of symmetry or on the axis where the
+/// collapse is to stay there.
 glm::dvec3 CollapseChoice::allowedPlace(std::uint32_t to, const glm::dvec3& wanted) const
 {
     glm::dvec3 at = glm::clamp(wanted, _state.box.low, _state.box.high);
@@ -125,8 +129,8 @@ glm::dvec3 CollapseChoice::allowedPlace(std::uint32_t to, const glm::dvec3& want
     return orbits.within(at, orbits.radiusIn(_state.box));
 }
 
-/// Returns the place of a collapse. The last faces of a part keep their area with optimal placement, so that it does not shrink before it
-/// vanishes; unless a face turns over there.
+/// Returns the place of a collapse. The last faces of a part keep their area with optimal placement, so that
+/// it does not shrink before it vanishes; unless a face turns over there.
 glm::dvec3 CollapseChoice::placeKeepingLastArea(std::uint32_t to)
 {
     constexpr std::uint32_t kLastFaces = 16;
@@ -231,8 +235,9 @@ PatchTurn CollapseChoice::turnTo(std::uint32_t to, const glm::dvec3& at)
     return turn;
 }
 
-/// The cost of texture drift that has added up beyond what is allowed: that of a displacement along the surface by as much, at
-/// most by kDriftDistance. So it counts as the surface's own distance does, at whatever size the level is shown.
+/// The cost of texture drift that has added up beyond what is allowed: that of a displacement along the
+/// surface by as much, at most by kDriftDistance. So it counts as the surface's own distance does, at
+/// whatever size the level is shown.
 double CollapseChoice::driftCost(const PatchGap& gap) const
 {
     const double drift = _state.errors[_star.middle].texCoord + gap.gap.texCoord;

@@ -23,14 +23,15 @@ public:
     /// Recomputes the shape of a position's star and stores it in the state.
     void updateShape(std::uint32_t position);
 
-    /// Returns the best collapse of a position; `to` is ~0 where it has no faces. `refused`: neighbours to exclude.
+    /// Returns the best collapse of a position; `to` is ~0 where it has no faces. `refused`: neighbours to
+    /// exclude.
     Candidate bestOf(std::uint32_t position, std::span<const std::uint32_t> refused = {});
 
     /// Returns the position of both after the collapse, in the state's frame.
     glm::dvec3 placeOf(std::uint32_t from, std::uint32_t to);
 
-    /// Whether a collapse would now remove the last faces of a part or a material, at a higher cost than its candidate has: other
-    /// collapses may have removed the rest since.
+    /// Whether a collapse would now remove the last faces of a part or a material, at a higher cost than its
+    /// candidate has: other collapses may have removed the rest since.
     bool takesLastFaces(std::uint32_t from, const Candidate& candidate);
 
     /// The effect of a collapse.
@@ -41,7 +42,8 @@ public:
         std::uint32_t facesGone = 0;
     };
 
-    /// Computes a collapse; wedges() gives the changes of wedges. Both positions move to `place` where it is given.
+    /// Computes a collapse; wedges() gives the changes of wedges. Both positions move to `place` where it is
+    /// given.
     Effect effectOf(std::uint32_t from, std::uint32_t to, const glm::dvec3* place = nullptr);
     /// Whether a collapse is possible, turns no face over, and costs at most about `cost`.
     bool isGood(std::uint32_t from, std::uint32_t to, const glm::dvec3& place, double cost);

@@ -17,8 +17,9 @@ struct Urgency
     auto operator<=>(const Urgency&) const = default;
 };
 
-/// A priority queue of positions by the urgency of their best collapse, least first; ties by number. A binary heap with positions
-/// indexed, so that urgencies can change. Memory: 28 B a queued position, 4 B a possible one. Cost: log n a change.
+/// A priority queue of positions by the urgency of their best collapse, least first; ties by number. A binary
+/// heap with positions indexed, so that urgencies can change. Memory: 28 B a queued position, 4 B a possible
+/// one. Cost: log n a change.
 class CollapseQueue
 {
 public:

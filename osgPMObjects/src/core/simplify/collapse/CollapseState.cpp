@@ -16,7 +16,8 @@ namespace
 
 AreaWeight weightFor(Placement placement, std::size_t faces)
 {
-    // The usual double area of a face where the diagonal is 1: the surface of a solid is about the square of that.
+    // The usual double area of a face where the diagonal is 1: the surface of a solid is about the square of
+    // that.
     const double usual = 1.0 / static_cast<double>(std::max<std::size_t>(faces, 1));
     switch (placement)
     {
@@ -37,7 +38,8 @@ std::unique_ptr<Mesh> withoutPositions(const Mesh& mesh)
     return copy;
 }
 
-/// Finds the foliage, unless the mesh is kept symmetric (cards would have to be merged in pairs of pairs) or has an envelope.
+/// Finds the foliage, unless the mesh is kept symmetric (cards would have to be merged in pairs of pairs) or
+/// has an envelope.
 std::vector<std::vector<LeafCard>> foliageOf(const CollapseState& state, const Mesh& original)
 {
     const SimplifySettings& settings = state.settings;

@@ -37,8 +37,8 @@ struct Candidate
 /// Cost of removing the last face of a material, as a distance of all its area and a share of the diagonal.
 constexpr double kMaterialDistance = 0.5;
 
-/// A mesh during simplification. Data of each position and face belong to one connected part, so threads that work on different
-/// parts do not share any.
+/// A mesh during simplification. Data of each position and face belong to one connected part, so threads that
+/// work on different parts do not share any.
 struct CollapseState
 {
     const SimplifySettings settings;
@@ -73,7 +73,8 @@ struct CollapseState
     ConnectedPart& part(std::uint32_t position) { return parts[partNumber(position)]; }
     const ConnectedPart& part(std::uint32_t position) const { return parts[partNumber(position)]; }
     std::uint32_t partNumber(std::uint32_t position) const { return followed(joinedTo, partOf[position]); }
-    /// The position that the nearest position of another part has merged into; ~0: none, or it is in the same part now.
+    /// The position that the nearest position of another part has merged into; ~0: none, or it is in the same
+    /// part now.
     std::uint32_t nearbyNow(std::uint32_t position) const;
     /// Joins the parts of two positions.
     void joinParts(std::uint32_t from, std::uint32_t to);

@@ -90,9 +90,11 @@ void Collapser::collapse(std::uint32_t from)
         collapseTwin(from, to, urgency);
 }
 
-/// Performs the images of a collapse of a round mesh, each after `step` least turns more. Where one is not possible the mesh is round no more.
-/// Levels between them are allowed, unlike those between two mirror images: they are many.
-/// A position on the axis is its own image: the middle of a flat cap may go before any other, and changes no shape.
+/// Performs the images of a collapse of a round mesh, each after `step` least turns more. Where one is not
+/// possible the mesh is round no more. Levels between them are allowed, unlike those between two mirror
+/// images: they are many.
+/// A position on the axis is its own image: the middle of a flat cap may go before any other, and changes no
+/// shape.
 void Collapser::collapseImages(std::uint32_t from, std::uint32_t to, std::uint32_t step,
                                const Urgency& urgency)
 {

@@ -13,8 +13,8 @@
 namespace osgPMObjects::core
 {
 
-/// The steps of some connected parts in order, with the urgency of each. `facesAfter` is the number of faces that the step
-/// removed, and errors are those of the step alone.
+/// The steps of some connected parts in order, with the urgency of each. `facesAfter` is the number of faces
+/// that the step removed, and errors are those of the step alone.
 struct PartialSequence
 {
     CollapseSequence sequence;
@@ -22,10 +22,11 @@ struct PartialSequence
 };
 
 /// Collapses some connected parts to nothing, the collapse with the least Urgency first.
-/// With subset placement, positions whose stars have changed are re-evaluated at once. With other placements, which cost more,
-/// they are re-evaluated when they come first in the queue; except positions with harmful candidates only, which might never
-/// come first. Hubs of large fans always wait.
-/// Source: Cohen, Manocha and Olano, *Simplifying polygonal models using successive mappings* (1997), section 5 (lazy queue).
+/// With subset placement, positions whose stars have changed are re-evaluated at once. With other placements,
+/// which cost more, they are re-evaluated when they come first in the queue; except positions with harmful
+/// candidates only, which might never come first. Hubs of large fans always wait.
+/// Source: Cohen, Manocha and Olano, *Simplifying polygonal models using successive mappings* (1997), section
+/// 5 (lazy queue).
 class Collapser
 {
 public:

@@ -11,9 +11,10 @@
 namespace osgPMObjects::core
 {
 
-/// Merges the sequences of unconnected parts into one, as if all parts had shared one queue: the next step is the one with the
-/// least Urgency among the next steps of all parts. Steps that belong together (`goesOn`) stay together. `frame`: in which the parts
-/// were collapsed; the result is in frame and units of the mesh. `facesBefore`: faces of the mesh.
+/// Merges the sequences of unconnected parts into one, as if all parts had shared one queue: the next step is
+/// the one with the least Urgency among the next steps of all parts. Steps that belong together (`goesOn`)
+/// stay together. `frame`: in which the parts were collapsed; the result is in frame and units of the mesh.
+/// `facesBefore`: faces of the mesh.
 CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const UnitFrame& frame,
                                 std::uint32_t facesBefore);
 

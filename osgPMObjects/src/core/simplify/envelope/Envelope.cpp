@@ -15,7 +15,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Subdivisions of a triangle before it counts as outside: by then it is so near the bound that it does not matter.
+/// Subdivisions of a triangle before it counts as outside: by then it is so near the bound that it does not
+/// matter.
 constexpr int kMostHalvings = 5;
 
 double squaredDistance(const glm::dvec3& p, const Corners& face)
@@ -24,7 +25,8 @@ double squaredDistance(const glm::dvec3& p, const Corners& face)
     return glm::dot(away, away);
 }
 
-/// Whether a triangle is within a distance of a face. Distance to a convex set is convex, so its farthest corner decides.
+/// Whether a triangle is within a distance of a face. Distance to a convex set is convex, so its farthest
+/// corner decides.
 bool isNear(const Corners& triangle, const Corners& face, double squared)
 {
     return std::all_of(triangle.begin(), triangle.end(),
@@ -37,8 +39,8 @@ std::array<Corners, 4> quarters(const Corners& t)
     return {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}, Corners{ab, bc, ca}};
 }
 
-/// Whether a triangle is near a surface. `nearFace(triangle)`: whether all of it is near one face; `isNearPoint(point)`: whether a
-/// point is near any face.
+/// Whether a triangle is near a surface. `nearFace(triangle)`: whether all of it is near one face;
+/// `isNearPoint(point)`: whether a point is near any face.
 template<class NearFace, class NearPoint>
 bool isWithin(const Corners& triangle, const NearFace& nearFace, const NearPoint& isNearPoint, int halvings)
 {

@@ -17,14 +17,14 @@ namespace osgPMObjects::core
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// A bound of the distance between the original surface and the current mesh. Each original triangle has a *home*: a position whose
-/// star is within `distance` of all of the triangle. So both surfaces are within the distance of each other after any number of
-/// collapses; this is proved, not sampled.
-/// Invariant: every original triangle is within the distance of its home's star, and every face within the distance of the
-/// original.
+/// A bound of the distance between the original surface and the current mesh. Each original triangle has a
+/// *home*: a position whose star is within `distance` of all of the triangle. So both surfaces are within the
+/// distance of each other after any number of collapses; this is proved, not sampled.
+/// Invariant: every original triangle is within the distance of its home's star, and every face within the
+/// distance of the original.
 /// Memory: 100 B a triangle. Threads: any number at once, on different parts.
-/// Source: the guarantee of Cohen et al., *Simplification envelopes* (1996). Differs: distances are bounded by convexity, not
-/// by offset surfaces, which need a manifold.
+/// Source: the guarantee of Cohen et al., *Simplification envelopes* (1996). Differs: distances are bounded
+/// by convexity, not by offset surfaces, which need a manifold.
 class Envelope
 {
 public:

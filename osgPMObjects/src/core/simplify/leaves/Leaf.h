@@ -31,8 +31,8 @@ struct Leaf
     LevelError error;
 
     Leaf(const CollapseState& state, LeafCard given);
-    /// The box that the card may fill: that around all cards merged into it, wider the more they are, but within the mesh's box. A
-    /// few large cards have gaps between them that many small ones did not.
+    /// The box that the card may fill: that around all cards merged into it, wider the more they are, but
+    /// within the mesh's box. A few large cards have gaps between them that many small ones did not.
     Extent room(const Extent& box) const;
     /// Adds the sums of a card that is removed.
     void takeOver(const Leaf& gone);

@@ -32,10 +32,10 @@ struct LeafCard
     std::vector<Corners> faces;
 };
 
-/// Finds the leaf cards of each material of foliage, in the order of their parts; none for other materials. A material is
-/// foliage when nearly all of its area consists of at least 64 connected parts that are flat, have at most eight faces, are of
-/// about one size and small against the mesh, show the same few regions of a texture, and look in too many directions for tiles
-/// of a wall or deck.
+/// Finds the leaf cards of each material of foliage, in the order of their parts; none for other materials. A
+/// material is foliage when nearly all of its area consists of at least 64 connected parts that are flat,
+/// have at most eight faces, are of about one size and small against the mesh, show the same few regions of a
+/// texture, and look in too many directions for tiles of a wall or deck.
 /// `positions`: of the mesh, in a frame where its diagonal is 1; `partOf`: by position. Cost: linear.
 std::vector<std::vector<LeafCard>> leafCards(const Mesh& mesh, std::span<const glm::dvec3> positions,
                                              std::span<const ConnectedPart> parts,

@@ -21,7 +21,8 @@ struct LeafClosing
     std::vector<std::uint8_t> left; ///< corners that are left
 };
 
-/// Collapses the edge with the most faces first. `isTurned`: in the other direction, so that its other end is left.
+/// Collapses the edge with the most faces first. `isTurned`: in the other direction, so that its other end is
+/// left.
 LeafClosing closingOf(const LeafCard& card, bool isTurned);
 
 } // namespace osgPMObjects::core

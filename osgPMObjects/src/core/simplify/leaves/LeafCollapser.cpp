@@ -18,10 +18,11 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Share of leaves, as its inverse, that merge before partners are searched again. With more at once, visible leaves merge before
-/// hidden ones.
+/// Share of leaves, as its inverse, that merge before partners are searched again. With more at once, visible
+/// leaves merge before hidden ones.
 constexpr std::size_t kAtOnce = 24;
-/// Stretched leaves have corners where leaves were, and mixed normals: they may cost this factor more than others.
+/// Stretched leaves have corners where leaves were, and mixed normals: they may cost this factor more than
+/// others.
 constexpr double kStretched = 1.5;
 /// The same with subset placement, where leaves of spare corners keep more of the crown than stretched ones.
 constexpr double kStretchedOfSubset = 0.5;
@@ -172,8 +173,9 @@ void LeafCollapser::moveTo(LeafCard::Corner& own, const LeafCard::Corner& other)
     own = other;
 }
 
-/// Moves the corners of a leaf, unless there are too few spare positions: then it grows after further merges. Corners get
-/// normals of the removed card, so that a large leaf looks like many, and is not all dark or all bright.
+/// Moves the corners of a leaf, unless there are too few spare positions: then it grows after further merges.
+/// Corners get normals of the removed card, so that a large leaf looks like many, and is not all dark or all
+/// bright.
 void LeafCollapser::moveCorners(Leaf& leaf, const LeafGrowth& growth)
 {
     std::vector<std::size_t> moved;

@@ -14,17 +14,19 @@
 namespace osgPMObjects::core
 {
 
-/// Merges near leaf cards of one material in pairs until none is left; the remaining card grows by the visible area of the
-/// other. The cost of a pair is the displacement of its areas, weighed as by a quadric, and the size of the smaller card. Cards
-/// deep inside the crown cost little, since they are not visible.
-/// The steps of a pair belong together: first the faces of one card collapse, then corners of the other move. A level between
-/// them has less area, but is valid. With subset placement, corners move to corners of removed cards with the same texture
-/// coordinates; else positions of it without faces are used up to move corners.
-/// Frame, units: of the state. Threads: one each, on different cards. Cost: n log n; some 20 µs a card.
-/// Source: Remolar et al., *Geometric simplification of foliage* (2002), section 3 (leaf collapse: two leaves become one); Cook
-/// et al., *Stochastic simplification of aggregate detail* (2007), section 3.2 (remaining elements grow to keep the area).
-/// Differs: levels are prefixes of one sequence; the visible area is kept, and cards hardly leave the box of the cards merged
-/// into them: with the full area an oak at 1 % covers 1.6 times its pixels.
+/// Merges near leaf cards of one material in pairs until none is left; the remaining card grows by the
+/// visible area of the other. The cost of a pair is the displacement of its areas, weighed as by a quadric,
+/// and the size of the smaller card. Cards deep inside the crown cost little, since they are not visible.
+/// The steps of a pair belong together: first the faces of one card collapse, then corners of the other move.
+/// A level between them has less area, but is valid. With subset placement, corners move to corners of
+/// removed cards with the same texture coordinates; else positions of it without faces are used up to move
+/// corners. Frame, units: of the state. Threads: one each, on different cards. Cost: n log n; some 20 µs a
+/// card.
+/// Source: Remolar et al., *Geometric simplification of foliage* (2002), section 3 (leaf collapse: two leaves
+/// become one); Cook et al., *Stochastic simplification of aggregate detail* (2007), section 3.2 (remaining
+/// elements grow to keep the area).
+/// Differs: levels are prefixes of one sequence; the visible area is kept, and cards hardly leave the box of
+/// the cards merged into them: with the full area an oak at 1 % covers 1.6 times its pixels.
 class LeafCollapser
 {
 public:

@@ -34,14 +34,14 @@ struct LeafGrowth
     bool takesCorners() const;
 };
 
-/// Scales the remaining leaf to the visible area of both, but not beyond its room (Leaf::room()): larger leaves visibly stick out of
-/// the crown. All corners move when there are spare positions enough, else all but one. Not for subset
-/// placement.
+/// Scales the remaining leaf to the visible area of both, but not beyond its room (Leaf::room()): larger
+/// leaves visibly stick out of the crown. All corners move when there are spare positions enough, else all
+/// but one. Not for subset placement.
 LeafGrowth scaledLeaf(const CollapseState& state, const Leaf& gone, const Leaf& stays);
 
-/// For subset placement: moves each corner of the remaining leaf to the spare position with the same texture coordinates that is nearest
-/// to where scaledLeaf() would move it, or somewhat farther out, unless that turns a face over. Spare positions are those of all cards that have
-/// merged into either leaf.
+/// For subset placement: moves each corner of the remaining leaf to the spare position with the same texture
+/// coordinates that is nearest to where scaledLeaf() would move it, or somewhat farther out, unless that
+/// turns a face over. Spare positions are those of all cards that have merged into either leaf.
 LeafGrowth leafOfSpares(const CollapseState& state, const Leaf& gone, const Leaf& stays);
 
 /// Tells whether two corners have the same texture coordinates, but for SimplifySettings::mostTexCoordDrift.
@@ -51,8 +51,8 @@ bool looksTheSame(const CollapseState& state, const LeafCard::Corner& a, const L
 bool keepsItsSide(const LeafCard& card, std::span<const glm::dvec3> before,
                   std::span<const glm::dvec3> after);
 
-/// Moves corners of the remaining leaf to corners of the other with the same texture coordinates, so that its area comes
-/// nearest to that of both, and turns none of its faces over. The leaf may stay as it is.
+/// Moves corners of the remaining leaf to corners of the other with the same texture coordinates, so that its
+/// area comes nearest to that of both, and turns none of its faces over. The leaf may stay as it is.
 LeafGrowth stretchedLeaf(const CollapseState& state, const Leaf& gone, const Leaf& stays);
 
 } // namespace osgPMObjects::core

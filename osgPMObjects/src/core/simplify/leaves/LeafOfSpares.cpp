@@ -13,8 +13,9 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Spare positions are inside of the crown, so the nearest ones make a leaf smaller than it should be. Looked for is farther out
-/// from its middle by this factor. Pixels covered at 1 %, oak and bush: 68 and 78 % with 1, 74 and 83 with 1.7, 74 and 82 with 2.
+/// Spare positions are inside of the crown, so the nearest ones make a leaf smaller than it should be. Looked
+/// for is farther out from its middle by this factor. Pixels covered at 1 %, oak and bush: 68 and 78 % with
+/// 1, 74 and 83 with 1.7, 74 and 82 with 2.
 constexpr double kFartherOut = 1.7;
 
 /// The nearest spare position to a place so far.

@@ -15,7 +15,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Search radius of neighbours, as a share of the diagonal of the leaves' box by the cube root of their number: about ten leaves.
+/// Search radius of neighbours, as a share of the diagonal of the leaves' box by the cube root of their
+/// number: about ten leaves.
 constexpr double kNeighbourhood = 0.6;
 
 } // namespace

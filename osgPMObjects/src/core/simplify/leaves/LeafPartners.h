@@ -13,7 +13,8 @@
 namespace osgPMObjects::core
 {
 
-/// Cost of a removed leaf where it was, in moves by its own size: it is missed there, however near the other one is.
+/// Cost of a removed leaf where it was, in moves by its own size: it is missed there, however near the other
+/// one is.
 constexpr double kMissedLeaf = 2.0;
 
 /// The cheapest near leaf of each leaf, to merge with.
@@ -30,7 +31,8 @@ public:
 
     explicit LeafPartners(const AreaWeight& weight) : _weight(weight) {}
 
-    /// Finds partners for leaves without one, until some leaf has one. `left`: numbers of at least two leaves.
+    /// Finds partners for leaves without one, until some leaf has one. `left`: numbers of at least two
+    /// leaves.
     void find(std::span<const Leaf> leaves, std::span<const std::uint32_t> left);
 
     const Partner& of(std::uint32_t leaf) const { return _partners[leaf]; }

@@ -16,7 +16,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Returns the corner of a card with the same texture coordinates as a corner of another; kOwn where there is none.
+/// Returns the corner of a card with the same texture coordinates as a corner of another; kOwn where there is
+/// none.
 std::uint8_t sameCorner(const CollapseState& state, const LeafCard& card, const LeafCard& other,
                         std::size_t corner)
 {

@@ -47,8 +47,8 @@ public:
             _crosses.push_back(crossOf(mesh, t));
     }
 
-    /// Returns the least difference between the given coordinates and those at the nearest points of faces oriented to
-    /// `facing`. `hint`: a triangle that may be near; on return the nearest.
+    /// Returns the least difference between the given coordinates and those at the nearest points of faces
+    /// oriented to `facing`. `hint`: a triangle that may be near; on return the nearest.
     double difference(const glm::dvec3& point, const glm::dvec3& facing, const glm::dvec2& texCoord,
                       std::uint32_t& hint) const
     {

@@ -46,7 +46,8 @@ public:
         _tree.emplace(_texCoords, _flat);
     }
 
-    /// Returns the distance of a point from the nearest place with these texture coordinates; infinite where there is none.
+    /// Returns the distance of a point from the nearest place with these texture coordinates; infinite where
+    /// there is none.
     double distance(const glm::dvec3& point, const glm::dvec2& texCoord) const
     {
         const glm::dvec3 at(texCoord, 0.0);

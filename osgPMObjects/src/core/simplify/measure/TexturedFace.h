@@ -16,7 +16,8 @@ inline bool isTextured(const Mesh& mesh, std::uint32_t material)
     return !mesh.texCoords[0].empty() && mesh.materials[material].has(Material::texCoord0);
 }
 
-/// Returns the texture coordinates of a point of a face, set 0: corner 0 + second·(corner 1 - corner 0) + third·(corner 2 - corner 0).
+/// Returns the texture coordinates of a point of a face, set 0: corner 0 + second·(corner 1 - corner 0) +
+/// third·(corner 2 - corner 0).
 inline glm::dvec2 texCoordAt(const Mesh& mesh, std::uint32_t face, double second, double third)
 {
     const auto at = [&](int corner)

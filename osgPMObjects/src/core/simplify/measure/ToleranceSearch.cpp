@@ -31,7 +31,8 @@ std::size_t ToleranceSearch::coarsestWithin(double tolerance)
     return 0;
 }
 
-/// Halves the steps between two levels some times and returns the coarsest level found that keeps the tolerance.
+/// Halves the steps between two levels some times and returns the coarsest level found that keeps the
+/// tolerance.
 std::size_t ToleranceSearch::refined(std::size_t keeps, std::size_t exceeds, double tolerance) const
 {
     constexpr int kHalvings = 5;

@@ -18,8 +18,8 @@ struct ConnectedPart
     std::vector<std::uint32_t> positions; ///< sorted
     std::uint32_t faces = 0;              ///< number of faces left; counted down by collapses
     double doubleArea = 0.0;
-    double reach =
-        0.0; ///< distance of its farthest position from all other parts, at most its own size: the error of removing it
+    /// distance of its farthest position from all other parts, at most its own size: the error of removing it
+    double reach = 0.0;
     /// A material whose last face this part keeps, since it has most of its area.
     struct Kept
     {
@@ -31,8 +31,9 @@ struct ConnectedPart
     std::vector<Kept> kept;
 };
 
-/// Finds the connected parts of a mesh, in the order of their lowest positions. `positions`: those of the mesh, in the unit wanted
-/// for areas and distances. `colours`: by material; empty: unknown. Cost: n log n, and some microseconds a part.
+/// Finds the connected parts of a mesh, in the order of their lowest positions. `positions`: those of the
+/// mesh, in the unit wanted for areas and distances. `colours`: by material; empty: unknown. Cost: n log n,
+/// and some microseconds a part.
 std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm::dvec3> positions,
                                           std::span<const glm::vec3> colours = {});
 

@@ -12,7 +12,8 @@
 namespace osgPMObjects::core
 {
 
-/// The faces that replace a star when its middle merges into `to`: those of the star except the faces at `besides`.
+/// The faces that replace a star when its middle merges into `to`: those of the star except the faces at
+/// `besides`.
 struct Patch
 {
     const Star& star;
@@ -29,7 +30,8 @@ struct PatchTurn
 };
 
 /// Computes how a collapse turns and stretches the faces of a patch.
-/// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997), section 4.3 (inversions).
+/// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997), section 4.3
+/// (inversions).
 /// Differs: the limit is below a right angle.
 PatchTurn turnOf(const Patch& patch);
 
@@ -42,8 +44,8 @@ inline bool foldsOver(const Patch& patch)
 struct PatchGap
 {
     LevelError gap;
-    /// Weighted squared displacement of appearance: of the texture along the surface; of normals and colours as shares of the way
-    /// that the position moves.
+    /// Weighted squared displacement of appearance: of the texture along the surface; of normals and colours
+    /// as shares of the way that the position moves.
     double slipCost = 0.0;
     double lengthPerTexture = 0.0; ///< on the surface, of a unit of texture coordinates: the largest
 };
@@ -56,7 +58,8 @@ struct Look
     AreaWeight weight;
 };
 
-/// Computes the gap at the point of the patch nearest to the removed position, for each group of faces that share a wedge there.
+/// Computes the gap at the point of the patch nearest to the removed position, for each group of faces that
+/// share a wedge there.
 PatchGap gapOf(const Patch& patch, std::span<const WedgeChange> changes, const Look& look);
 
 /// Computes the distance only. Cost: some 50 ns a face.

@@ -11,12 +11,12 @@
 namespace osgPMObjects::core
 {
 
-/// Appends a step to a sequence; its wedges are those that are appended after it. `place`: the remaining position after the step,
-/// null when positions do not move.
+/// Appends a step to a sequence; its wedges are those that are appended after it. `place`: the remaining
+/// position after the step, null when positions do not move.
 void appendStep(CollapseSequence& sequence, CollapseStep step, const glm::dvec3* place);
 
-/// Appends the wedges of the last step of a sequence, as planned. `moved`: the mesh whose wedges get their new attributes; null
-/// when the plan moves nothing.
+/// Appends the wedges of the last step of a sequence, as planned. `moved`: the mesh whose wedges get their
+/// new attributes; null when the plan moves nothing.
 void appendWedges(CollapseSequence& sequence, const WedgePlan& plan, Mesh* moved);
 
 } // namespace osgPMObjects::core

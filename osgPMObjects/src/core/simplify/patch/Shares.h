@@ -11,7 +11,8 @@
 namespace osgPMObjects::core
 {
 
-/// Returns the barycentric coordinates of a point's projection into a triangle's plane; (1, 0, 0) for one without area.
+/// Returns the barycentric coordinates of a point's projection into a triangle's plane; (1, 0, 0) for one
+/// without area.
 inline glm::dvec3 sharesOf(const glm::dvec3& p, const std::array<glm::dvec3, 3>& corners)
 {
     const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0], ap = p - corners[0];

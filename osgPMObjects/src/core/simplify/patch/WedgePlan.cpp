@@ -33,7 +33,8 @@ std::uint32_t wedgeAt(const StarMesh& stars, std::uint32_t face, std::uint32_t p
     return stars.wedges(face)[p[0] == position ? 0 : p[1] == position ? 1 : 2];
 }
 
-/// Returns the wedge at `to` of a vanishing face that has `wedge` in the middle; `wedge` itself where there is none.
+/// Returns the wedge at `to` of a vanishing face that has `wedge` in the middle; `wedge` itself where there
+/// is none.
 std::uint32_t matchOf(const StarMesh& stars, const Star& star, std::uint32_t to, std::uint32_t wedge)
 {
     for (const Star::Side& side : star.sidesTo(to))
@@ -108,8 +109,8 @@ private:
     Wedge _found;
 };
 
-/// Returns for each wedge around `star.middle` its match at the other position, or itself, with its group's attributes at the
-/// point.
+/// Returns for each wedge around `star.middle` its match at the other position, or itself, with its group's
+/// attributes at the point.
 std::vector<WedgeChange> resampled(const WedgedMesh& all, const Star& star, const Star& other,
                                    const glm::dvec3& place)
 {

@@ -27,7 +27,8 @@ glm::dvec3 leastKeepingVolume(const CollapsingEdge& edge, const glm::dvec3& half
     if (!(determinant > 0.0)) return glm::dvec3(0.0);
     const glm::dmat3 inverse = glm::inverse(sum);
     const glm::dvec3 least = inverse * (to * half - from * half);
-    // The planes of the faces beside the edge contain its middle, so they add nothing to the volume in this frame.
+    // The planes of the faces beside the edge contain its middle, so they add nothing to the volume in this
+    // frame.
     const glm::dvec3 area = edge.fromShape.areaVector + edge.toShape.areaVector - edge.sharedAreaVector;
     const double volume = glm::dot(edge.toShape.areaVector - edge.fromShape.areaVector, half);
     const glm::dvec3 towards = inverse * area;

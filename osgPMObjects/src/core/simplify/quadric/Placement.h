@@ -42,11 +42,11 @@ struct CollapsingEdge
 /// The sum of both quadrics at a position.
 double costAt(const CollapsingEdge& edge, const glm::dvec3& at);
 
-/// Finds the position of the least sum of both quadrics that keeps the volume. Along directions without influence it is near the
-/// middle of the edge, and never farther from the middle than the edge's length.
-/// Source: Lindstrom and Turk, *Fast and memory efficient polygonal simplification* (1998), sections 3.1 and 3.3. Differs:
-/// minimises the quadric with the volume as a constraint and a weak pull to the middle, instead of adding constraints up to
-/// three.
+/// Finds the position of the least sum of both quadrics that keeps the volume. Along directions without
+/// influence it is near the middle of the edge, and never farther from the middle than the edge's length.
+/// Source: Lindstrom and Turk, *Fast and memory efficient polygonal simplification* (1998), sections 3.1 and
+/// 3.3. Differs: minimises the quadric with the volume as a constraint and a weak pull to the middle, instead
+/// of adding constraints up to three.
 glm::dvec3 bestPlace(const CollapsingEdge& edge);
 
 } // namespace osgPMObjects::core

@@ -12,9 +12,9 @@
 namespace osgPMObjects::core
 {
 
-/// The weight of a face's squared distance, by its area: doubleArea^areaPower + floor^areaPower. A power of 1 gives the mean
-/// squared distance, 2 the squared change of volume (Lindstrom and Turk). The floor is an area; it protects slender features of
-/// little area, and so limits the largest error.
+/// The weight of a face's squared distance, by its area: doubleArea^areaPower + floor^areaPower. A power of 1
+/// gives the mean squared distance, 2 the squared change of volume (Lindstrom and Turk). The floor is an
+/// area; it protects slender features of little area, and so limits the largest error.
 struct AreaWeight
 {
     double areaPower = 1.0;
@@ -23,12 +23,13 @@ struct AreaWeight
     double of(double doubleArea) const;
 };
 
-/// Computes the quadric of a position from its current faces, with its origin there: of the face planes; of the lines of open
-/// edges and borders; and of edges so sharply folded that their faces coincide, which would else vanish at no cost.
+/// Computes the quadric of a position from its current faces, with its origin there: of the face planes; of
+/// the lines of open edges and borders; and of edges so sharply folded that their faces coincide, which would
+/// else vanish at no cost.
 /// `isBorder(…)`: whether two faces beside an edge differ in appearance; such edges count as open.
-/// Source: Lindstrom and Turk, *Fast and memory efficient polygonal simplification* (1998), section 3 (memoryless: volume and
-/// boundary), in the form of Garland and Heckbert, *Surface simplification using quadric error metrics* (1997). Differs: weight
-/// by area, its floor, and folds.
+/// Source: Lindstrom and Turk, *Fast and memory efficient polygonal simplification* (1998), section 3
+/// (memoryless: volume and boundary), in the form of Garland and Heckbert, *Surface simplification using
+/// quadric error metrics* (1997). Differs: weight by area, its floor, and folds.
 template<class IsBorder>
 Quadric starQuadric(const Star& star, std::span<const glm::dvec3> positions, const AreaWeight& weight,
                     const IsBorder& isBorder);

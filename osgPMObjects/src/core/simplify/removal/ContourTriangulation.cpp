@@ -100,7 +100,8 @@ bool isSimple(const Contour& contour)
     return true;
 }
 
-/// Whether two corners see each other, within the part of the contour from corner `first` to `last`, closed by a line.
+/// Whether two corners see each other, within the part of the contour from corner `first` to `last`, closed
+/// by a line.
 bool isSeen(const Contour& contour, std::uint32_t first, std::uint32_t last, std::uint32_t from,
             std::uint32_t to)
 {
@@ -113,7 +114,8 @@ bool isSeen(const Contour& contour, std::uint32_t first, std::uint32_t last, std
     return true;
 }
 
-/// Returns the corner between `first` and `last` that makes the triangle on their line; `last` if there is none.
+/// Returns the corner between `first` and `last` that makes the triangle on their line; `last` if there is
+/// none.
 std::uint32_t apexOn(const Contour& contour, std::uint32_t first, std::uint32_t last)
 {
     std::uint32_t best = last;

@@ -18,7 +18,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The least cosine between a new face and the plane that fits the contour: steeper faces fold the surface in most views.
+/// The least cosine between a new face and the plane that fits the contour: steeper faces fold the surface in
+/// most views.
 constexpr double kLeastUpCosine = 0.1;
 
 /// Smaller coordinates are rounding errors of the projection, and out of range for orientation().
@@ -68,8 +69,8 @@ RemovalRefusal HoleFilling::fitness(const VertexStar& star)
     return RemovalRefusal::none;
 }
 
-/// Finds the positions from which all contours can be filled. A contour that one more edge closes is filled from an end of that
-/// edge, for only so the removal is a collapse of an edge.
+/// Finds the positions from which all contours can be filled. A contour that one more edge closes is filled
+/// from an end of that edge, for only so the removal is a collapse of an edge.
 void HoleFilling::findFans(const VertexStar& star)
 {
     _fans.clear();
@@ -123,8 +124,8 @@ void HoleFilling::takeContour(const VertexStar& star, const StarSector& sector)
         _contour.push_back(_live.at(position));
 }
 
-/// Projects the contour into the plane across its average normal, scaled to size 1. False: it has none, or the opposite orientation
-/// of the faces that it replaces.
+/// Projects the contour into the plane across its average normal, scaled to size 1. False: it has none, or
+/// the opposite orientation of the faces that it replaces.
 bool HoleFilling::project(const glm::dvec3& sectorNormal)
 {
     const glm::dvec3 normal = areaVector(_contour);
@@ -192,8 +193,8 @@ std::size_t HoleFilling::addedSides(std::uint32_t from, std::uint32_t to) const
     return count;
 }
 
-/// Whether an edge would have two faces of the same direction, or a face would exist twice, in either orientation. Only sides
-/// that the star did not have can be new, and faces with sides of the star only.
+/// Whether an edge would have two faces of the same direction, or a face would exist twice, in either
+/// orientation. Only sides that the star did not have can be new, and faces with sides of the star only.
 bool HoleFilling::joins(const VertexStar& star) const
 {
     const auto isStars = [&](std::uint32_t from, std::uint32_t to)
@@ -217,8 +218,8 @@ bool HoleFilling::joins(const VertexStar& star) const
     return false;
 }
 
-/// Whether a direction of the first side of an added face has more than one face, or the face exists already. `along`, `against`:
-/// number of added faces on the side in each direction.
+/// Whether a direction of the first side of an added face has more than one face, or the face exists already.
+/// `along`, `against`: number of added faces on the side in each direction.
 bool HoleFilling::isTaken(std::uint32_t removed, const Triangle& added, std::size_t along,
                           std::size_t against) const
 {

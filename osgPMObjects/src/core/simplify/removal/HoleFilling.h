@@ -22,12 +22,14 @@ public:
     /// Errors: the reason why the position has to stay; faces() is then undefined.
     RemovalRefusal fill(const VertexStar& star, HoleTriangulation triangulation);
 
-    /// Returns the position at which all new faces meet; RemovalStep::kNoApex for HoleTriangulation::delaunay.
+    /// Returns the position at which all new faces meet; RemovalStep::kNoApex for
+    /// HoleTriangulation::delaunay.
     std::uint32_t apex() const { return _apex; }
 
     const std::vector<Face>& faces() const { return _faces; }
 
-    /// The distance of the position from the new faces; where there are none, from the lines that close its contours.
+    /// The distance of the position from the new faces; where there are none, from the lines that close its
+    /// contours.
     double distance() const { return _distance; }
 
 private:

@@ -10,8 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// The faces of the current level, with lists of those around each position. A face has a slot as long as it exists; slots
-/// are reused, so memory does not grow with the steps.
+/// The faces of the current level, with lists of those around each position. A face has a slot as long as it
+/// exists; slots are reused, so memory does not grow with the steps.
 /// Memory: 64 B a face. Cost: constant to add or remove.
 class LiveFaces
 {

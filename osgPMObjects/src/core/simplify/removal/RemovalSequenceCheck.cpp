@@ -181,8 +181,8 @@ private:
         return isClosed(border, step.position) ? "" : "the hole is not filled";
     }
 
-    /// Whether the star's border without that of the added faces consists of open fans, each closed by one side: from the
-    /// position to the fan's first neighbour, directly to its last, and back.
+    /// Whether the star's border without that of the added faces consists of open fans, each closed by one
+    /// side: from the position to the fan's first neighbour, directly to its last, and back.
     static bool isClosed(const Chain& border, std::uint32_t position)
     {
         std::map<std::uint32_t, int> open; // first neighbours 1, last ones -1

@@ -22,14 +22,15 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The share of a star's error that its neighbours inherit. With 1, one coarse region delays all that is connected to it; with 0,
-/// small errors add up unnoticed. Of 0, 0.3, 0.5, 0.7, 0.85 and 1 this has the least mean error on ten models.
+/// The share of a star's error that its neighbours inherit. With 1, one coarse region delays all that is
+/// connected to it; with 0, small errors add up unnoticed. Of 0, 0.3, 0.5, 0.7, 0.85 and 1 this has the least
+/// mean error on ten models.
 constexpr double kKeptDrift = 0.85;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// An entry of the queue: a position, or a group of faces (numbers follow the positions). Stale when the position has another
-/// rank now.
+/// An entry of the queue: a position, or a group of faces (numbers follow the positions). Stale when the
+/// position has another rank now.
 struct QueueEntry
 {
     double rank;
@@ -87,8 +88,8 @@ public:
     }
 
 private:
-    /// Re-evaluates a position. An entry with a lower rank stays in the queue: the position is re-evaluated when it comes
-    /// first, and most ranks only rise.
+    /// Re-evaluates a position. An entry with a lower rank stays in the queue: the position is re-evaluated
+    /// when it comes first, and most ranks only rise.
     void propose(std::uint32_t p)
     {
         _refusals[p] = !_options.isSupport.empty() && _options.isSupport[p]

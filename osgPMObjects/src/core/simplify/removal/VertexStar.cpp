@@ -82,7 +82,8 @@ bool isCrease(const StarFace& a, const StarFace& b, double creaseCosine)
     return glm::dot(a.area, b.area) < creaseCosine * glm::length(a.area) * glm::length(b.area);
 }
 
-/// The edges of a fan for which `is(before, behind)` holds: the faces behind the first two, and the number of all.
+/// The edges of a fan for which `is(before, behind)` holds: the faces behind the first two, and the number of
+/// all.
 struct FanEdges
 {
     std::array<std::uint32_t, 2> at{};

@@ -28,8 +28,9 @@ struct StarSector
 };
 
 /// The faces around a position in order, divided into sectors, with their flatness.
-/// Source: Schroeder, Zarge and Lorensen, *Decimation of triangle meshes* (1992), section 3.2: simple, boundary, interior edge
-/// and corner vertices. Differs: several fans are allowed, and attribute seams count as edges.
+/// Source: Schroeder, Zarge and Lorensen, *Decimation of triangle meshes* (1992), section 3.2: simple,
+/// boundary, interior edge and corner vertices. Differs: several fans are allowed, and attribute seams count
+/// as edges.
 struct VertexStar
 {
     std::uint32_t position = 0;

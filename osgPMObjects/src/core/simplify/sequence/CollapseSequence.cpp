@@ -42,7 +42,8 @@ std::size_t stepsToFaces(const CollapseSequence& sequence, std::size_t faces)
     std::size_t whole = last;
     while (sequence.steps[whole].goesOn)
         ++whole;
-    // Steps that belong together are not separated, unless the rest of them removes a larger share of the faces.
+    // Steps that belong together are not separated, unless the rest of them removes a larger share of the
+    // faces.
     constexpr std::size_t kMostShare = 10;
     const bool takesRest = (faces - sequence.steps[whole].facesAfter) * kMostShare <= faces;
     return (takesRest ? whole : last) + 1;

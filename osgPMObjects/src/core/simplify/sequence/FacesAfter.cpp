@@ -24,8 +24,8 @@ std::vector<std::uint32_t> themselves(std::size_t count)
 FacesAfter::FacesAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t steps)
     : wedges(themselves(mesh.wedgeCount())), isLeft(mesh.faces.size())
 {
-    // Positions decide whether a face has vanished. Wedges cannot: steps do not update those of vanished faces, so two at one
-    // position may separate again.
+    // Positions decide whether a face has vanished. Wedges cannot: steps do not update those of vanished
+    // faces, so two at one position may separate again.
     std::vector<std::uint32_t> positions = themselves(mesh.positions.size());
     for (std::size_t step = steps; step-- > 0;) // backwards, so that replacements are final
     {

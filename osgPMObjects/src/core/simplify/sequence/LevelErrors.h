@@ -19,8 +19,8 @@ inline LevelError largerOf(const LevelError& a, const LevelError& b)
             std::max(a.colour, b.colour)};
 }
 
-/// Returns the error of a level after a step: at least that of the level before. `step`: of the step alone, with the distance in
-/// units of `length`.
+/// Returns the error of a level after a step: at least that of the level before. `step`: of the step alone,
+/// with the distance in units of `length`.
 inline LevelError raisedBy(const LevelError& step, double length, const LevelError& before)
 {
     constexpr float kMostNormal = 2.0f, kMostColour = 1.0f; // the largest possible differences

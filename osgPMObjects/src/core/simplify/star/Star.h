@@ -12,7 +12,8 @@
 namespace osgPMObjects::core
 {
 
-/// The faces around a position, gathered for queries. Reused for other positions, so that memory is not allocated again.
+/// The faces around a position, gathered for queries. Reused for other positions, so that memory is not
+/// allocated again.
 struct Star
 {
     /// A face, rotated so that the middle position is its first corner.

@@ -12,8 +12,8 @@
 namespace osgPMObjects::core
 {
 
-/// The faces of a mesh during collapses, with lists of those around each position. Any set of faces is allowed, with any number
-/// at an edge; faces that use a position twice are left out.
+/// The faces of a mesh during collapses, with lists of those around each position. Any set of faces is
+/// allowed, with any number at an edge; faces that use a position twice are left out.
 /// Invariant: a position's list has the corners at that position of existing faces.
 /// Memory: 36 B a face, 4 B a position.
 class StarMesh
@@ -35,8 +35,9 @@ public:
             visit(faceOf(c), cornerOf(c));
     }
 
-    /// Removes the faces with both positions, and moves the others around `from` to `to`, with their wedges replaced as given;
-    /// other wedges stay. Returns the number of removed faces. Cost: linear in the two stars.
+    /// Removes the faces with both positions, and moves the others around `from` to `to`, with their wedges
+    /// replaced as given; other wedges stay. Returns the number of removed faces. Cost: linear in the two
+    /// stars.
     /// Threads: any number at once, each in connected parts of its own.
     std::uint32_t collapse(std::uint32_t from, std::uint32_t to, std::span<const WedgeCollapse> wedges);
 

@@ -12,8 +12,9 @@
 namespace osgPMObjects::core
 {
 
-/// The mirror symmetry of a mesh, complete or nearly so, in a plane through the middle of its box across an axis: the mirror image
-/// of each position. Collapses on one side only would make a fuselage, a wheel or a person asymmetric.
+/// The mirror symmetry of a mesh, complete or nearly so, in a plane through the middle of its box across an
+/// axis: the mirror image of each position. Collapses on one side only would make a fuselage, a wheel or a
+/// person asymmetric.
 struct MirrorTwins
 {
     static constexpr std::uint32_t kNone = ~0u;
@@ -33,8 +34,8 @@ struct MirrorTwins
     }
 };
 
-/// Finds the plane of symmetry; of several, the one across which most faces, then most positions, have an image other than
-/// themselves.
+/// Finds the plane of symmetry; of several, the one across which most faces, then most positions, have an
+/// image other than themselves.
 /// `positions`: in a frame with its origin in the middle of their box, whose diagonal is 1. Cost: n log n.
 MirrorTwins mirrorTwins(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
 

@@ -12,7 +12,8 @@
 namespace osgPMObjects::core
 {
 
-/// Positions this near are the same where symmetry is asked for; the diagonal is 1. Files have rounded floats.
+/// Positions this near are the same where symmetry is asked for; the diagonal is 1. Files have rounded
+/// floats.
 constexpr double kSamePlace = 1e-6;
 
 /// A grid of positions for positionAt().

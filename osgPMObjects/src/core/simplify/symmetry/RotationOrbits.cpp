@@ -38,7 +38,8 @@ double radiusOf(const glm::dvec3& place, int axis, const glm::dvec3& middle)
     return glm::length(from);
 }
 
-/// Returns how many positions are as far from the axis, and as far along it, as the one that is farthest from it: the fold divides it.
+/// Returns how many positions are as far from the axis, and as far along it, as the one that is farthest from
+/// it: the fold divides it.
 std::uint32_t widestRing(std::span<const glm::dvec3> positions, int axis, const glm::dvec3& middle)
 {
     const auto byRadius = [&](const glm::dvec3& a, const glm::dvec3& b)

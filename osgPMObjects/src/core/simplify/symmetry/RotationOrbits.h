@@ -13,8 +13,9 @@
 namespace osgPMObjects::core
 {
 
-/// The images of positions when a mesh is turned about an axis: a cylinder of n sides is its own image after an n-th turn. Collapses are
-/// then done once for each image, so that levels stay round while they can: of n sides, n / 2, n / 4 … are left.
+/// The images of positions when a mesh is turned about an axis: a cylinder of n sides is its own image after
+/// an n-th turn. Collapses are then done once for each image, so that levels stay round while they can: of n
+/// sides, n / 2, n / 4 … are left.
 struct RotationOrbits
 {
     static constexpr std::uint32_t kNone = ~0u;
@@ -36,13 +37,14 @@ struct RotationOrbits
     /// The largest radius at which all images are in a box.
     double radiusIn(const Extent& box) const;
     bool isOnAxis(std::uint32_t position) const { return next[position] == position; }
-    /// Returns the number of turns between the images of a collapse that may be done together: none of them goes where another goes away from.
-    /// 0: there is none, the levels are round no more.
+    /// Returns the number of turns between the images of a collapse that may be done together: none of them
+    /// goes where another goes away from. 0: there is none, the levels are round no more.
     std::uint32_t stepFor(std::uint32_t from, std::uint32_t to) const;
 };
 
-/// Finds the rotation by the least turn about an axis of the frame through the mean of the positions that maps all positions and faces of
-/// a mesh on others; at least by a fifth. Cost: n log n for each axis; little where the mesh is not round.
+/// Finds the rotation by the least turn about an axis of the frame through the mean of the positions that
+/// maps all positions and faces of a mesh on others; at least by a fifth. Cost: n log n for each axis; little
+/// where the mesh is not round.
 RotationOrbits rotationOrbits(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
 
 } // namespace osgPMObjects::core

@@ -12,8 +12,8 @@
 namespace osgPMObjects::core
 {
 
-/// Whether a face that a collapse and its mirror image both change would turn over after both. `star`: around the position that
-/// merges with `other` at `at`.
+/// Whether a face that a collapse and its mirror image both change would turn over after both. `star`: around
+/// the position that merges with `other` at `at`.
 bool foldsWithTwin(const MirrorTwins& twins, std::span<const glm::dvec3> positions, const Star& star,
                    std::uint32_t other, const glm::dvec3& at);
 

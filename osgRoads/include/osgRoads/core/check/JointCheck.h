@@ -59,7 +59,8 @@ struct LaneJoints
     std::vector<Flaw> flaws;
 };
 
-/// Compares the middles of linked lanes where two roads meet, also over junctions. Each joint is looked at once.
+/// Compares the middles of linked lanes where two roads meet, also over junctions. Each joint is looked at
+/// once.
 LaneJoints checkLaneJoints(const RoadNetwork& network, const JointLimits& limits = {});
 
 } // namespace osgRoads::core

@@ -9,9 +9,9 @@ namespace osgRoads::core
 {
 
 /// A curve whose curvature changes evenly with its length (Euler spiral), from the origin along x.
-/// The heading at s is κ₀·s + c·s²/2 with c = (κ₁ − κ₀)/length; the position is the integral of its cosine and sine. It
-/// is computed by Gauss–Legendre quadrature from the nearest of stored points that lie 0.5 rad or less apart, so the
-/// error stays near that of double arithmetic: 1e-12 of the length.
+/// The heading at s is κ₀·s + c·s²/2 with c = (κ₁ − κ₀)/length; the position is the integral of its cosine
+/// and sine. It is computed by Gauss–Legendre quadrature from the nearest of stored points that lie 0.5 rad
+/// or less apart, so the error stays near that of double arithmetic: 1e-12 of the length.
 /// Source: ASAM OpenDRIVE 1.8, 9.5 (spiral).
 class Clothoid
 {

@@ -26,8 +26,8 @@ struct Cubic
     }
 };
 
-/// A function of s in pieces: each cubic holds from its start to the start of the next one. Before the first piece, and
-/// without pieces, the value is 0.
+/// A function of s in pieces: each cubic holds from its start to the start of the next one. Before the first
+/// piece, and without pieces, the value is 0.
 /// Source: ASAM OpenDRIVE 1.8, 10.5.1 (elevation), 11.6 (lane width), 11.4 (lane offset).
 class CubicProfile
 {

@@ -17,8 +17,8 @@ struct ValueRange
     }
 };
 
-/// Returns a range that holds every value of the profile on [from, to]: that of the control values of each piece, within
-/// which a polynomial stays (Farin, *Curves and Surfaces for CAGD*, 2002, chapter 5).
+/// Returns a range that holds every value of the profile on [from, to]: that of the control values of each
+/// piece, within which a polynomial stays (Farin, *Curves and Surfaces for CAGD*, 2002, chapter 5).
 ValueRange boundsOf(const CubicProfile& profile, double from, double to);
 
 } // namespace osgRoads::core

@@ -7,8 +7,8 @@
 namespace osgRoads::core
 {
 
-/// The integral of a function over [from, to] by the Gauss–Legendre rule of 5 points: exact for polynomials of degree 9.
-/// `Value` needs + and multiplication by a number.
+/// The integral of a function over [from, to] by the Gauss–Legendre rule of 5 points: exact for polynomials
+/// of degree 9. `Value` needs + and multiplication by a number.
 /// Source: Abramowitz & Stegun, *Handbook of Mathematical Functions*, 1964, table 25.4.
 template<class Function>
 auto integralOf(const Function& function, double from, double to)

@@ -22,8 +22,9 @@ struct CurveCoefficients
 };
 
 /// A cubic curve (u(p), v(p)) in the frame of a plan-view element, asked for by arc length.
-/// The parameter at an arc length is found by Newton's method on the length, which Gauss–Legendre quadrature gives, from
-/// a table of kPanels lengths. When the curve is not as long as its element says, arc lengths are scaled to fit.
+/// The parameter at an arc length is found by Newton's method on the length, which Gauss–Legendre quadrature
+/// gives, from a table of kPanels lengths. When the curve is not as long as its element says, arc lengths are
+/// scaled to fit.
 /// Source: ASAM OpenDRIVE 1.8, 9.7 (paramPoly3), and 1.4, 5.3.4.1.4 (poly3).
 /// Differs: with pRange arcLength, p is the arc length as the file has it, even when the curve disagrees.
 class ParametricCubic
@@ -47,11 +48,12 @@ public:
     /// Returns the arc length at a parameter: the inverse of parameterAt().
     double lengthAt(double p) const;
 
-    /// Returns the parameter at which the curve is nearest to `local`, by Newton's method from the arc length `guess`.
-    /// It may lie a little beyond the ends.
+    /// Returns the parameter at which the curve is nearest to `local`, by Newton's method from the arc length
+    /// `guess`. It may lie a little beyond the ends.
     double nearestParameter(glm::dvec2 local, double guess) const;
 
-    /// Returns a bound on the angle between the tangents of any two points of the curve between two parameters, radians.
+    /// Returns a bound on the angle between the tangents of any two points of the curve between two
+    /// parameters, radians.
     double turnBetween(double from, double to) const;
 
     /// Returns the point at a parameter.

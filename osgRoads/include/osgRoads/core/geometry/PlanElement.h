@@ -26,8 +26,8 @@ struct PlanFoot
 };
 
 /// One piece of a reference line in the plan view: where it starts, and its shape.
-/// Frame: the inertial frame of the file, x east and y north, metres. Shapes are computed relative to the start, so the
-/// precision does not depend on the distance from the origin.
+/// Frame: the inertial frame of the file, x east and y north, metres. Shapes are computed relative to the
+/// start, so the precision does not depend on the distance from the origin.
 /// Source: ASAM OpenDRIVE 1.8, 9.2 to 9.7.
 class PlanElement
 {
@@ -39,8 +39,9 @@ public:
     /// Returns the point `ds` metres after the start of the element.
     PlanPoint at(double ds) const;
 
-    /// Returns the point of the element, between `from` and `to` metres after its start, that is nearest to `position`, near
-    /// `guess`. Error: 1e-9 m where the curve turns less than a quarter circle within [from, to].
+    /// Returns the point of the element, between `from` and `to` metres after its start, that is nearest to
+    /// `position`, near `guess`. Error: 1e-9 m where the curve turns less than a quarter circle within [from,
+    /// to].
     PlanFoot footOf(glm::dvec2 position, double guess, double from, double to) const;
 
     /// Returns the greatest distance of the curve between two distances from the start to its chord.

@@ -8,8 +8,8 @@
 namespace osgRoads::core
 {
 
-/// A point of a curve in the plan view: x east, y north, metres; heading in radians from x towards y; curvature in 1/m,
-/// positive to the left.
+/// A point of a curve in the plan view: x east, y north, metres; heading in radians from x towards y;
+/// curvature in 1/m, positive to the left.
 struct PlanPoint
 {
     glm::dvec2 position{0.0, 0.0};

@@ -18,7 +18,8 @@ public:
     /// `elements`: ascending by s, the first at 0.
     explicit ReferenceLine(std::vector<PlanElement> elements) : _elements(std::move(elements)) {}
 
-    /// Returns the point at s. Before the start and beyond the end the line goes on as its first or last element.
+    /// Returns the point at s. Before the start and beyond the end the line goes on as its first or last
+    /// element.
     /// Errors: a line without elements is a broken contract.
     PlanPoint at(double s) const
     {

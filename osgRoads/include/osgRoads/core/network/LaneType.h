@@ -13,7 +13,8 @@ namespace osgRoads::core
 template<class Value, std::size_t Count>
 using Keywords = std::array<std::pair<std::string_view, Value>, Count>;
 
-/// What a lane is for. Source: ASAM OpenDRIVE 1.8, 11.3 (lane types); the words that only older versions have are kept.
+/// What a lane is for. Source: ASAM OpenDRIVE 1.8, 11.3 (lane types); the words that only older versions have
+/// are kept.
 enum class LaneType
 {
     none,

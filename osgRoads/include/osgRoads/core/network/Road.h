@@ -25,7 +25,8 @@ struct RoadLink
     int line = 0;
 };
 
-/// A slope across the road, outwards from the reference line: OpenDRIVE 1.4, 5.3.6.2. Positive angles fall outwards.
+/// A slope across the road, outwards from the reference line: OpenDRIVE 1.4, 5.3.6.2. Positive angles fall
+/// outwards.
 struct Crossfall
 {
     CubicProfile leftRad, rightRad;
@@ -48,7 +49,8 @@ struct RoadKind
 
 /// A road as plain values. Its geometry is asked for by the functions of query/.
 /// Units: metres, radians. Frames: s along the reference line in the plan view, t to the left, h up.
-/// Source: ASAM OpenDRIVE 1.4 to 1.8 (sections of 1.8: 9 geometry, 10 roads, 11 lanes, 13 objects, 14 signals).
+/// Source: ASAM OpenDRIVE 1.4 to 1.8 (sections of 1.8: 9 geometry, 10 roads, 11 lanes, 13 objects, 14
+/// signals).
 struct Road
 {
     std::string id, name;
@@ -71,8 +73,8 @@ struct Road
     std::vector<SignalReference> signalReferences;
     int line = 0;
 
-    /// False for a road whose geometry cannot be used (none, or longer than kLongestRoadM): it keeps its links, and no
-    /// query answers with it.
+    /// False for a road whose geometry cannot be used (none, or longer than kLongestRoadM): it keeps its
+    /// links, and no query answers with it.
     bool isUsable = false;
 
     bool hasTilt() const { return !superelevationRad.isEmpty(); }

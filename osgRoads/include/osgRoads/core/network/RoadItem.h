@@ -13,7 +13,8 @@ struct LaneValidity
     int fromLane = 0, toLane = 0;
 };
 
-/// What objects and signals share: both are placed beside or on a road in the same way. Angles in radians, sizes in metres.
+/// What objects and signals share: both are placed beside or on a road in the same way. Angles in radians,
+/// sizes in metres.
 /// Source: ASAM OpenDRIVE 1.8, 13.1 (object), 14.1 (signal).
 struct RoadItem
 {

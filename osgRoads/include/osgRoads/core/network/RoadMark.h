@@ -84,7 +84,8 @@ inline constexpr Keywords<LaneChange, 4> kLaneChanges = {{{"both", LaneChange::b
                                                           {"increase", LaneChange::increase},
                                                           {"decrease", LaneChange::decrease}}};
 
-/// One line of a mark: repeated (length and space) or, in RoadMark::explicitLines, a single piece. Units: metres.
+/// One line of a mark: repeated (length and space) or, in RoadMark::explicitLines, a single piece. Units:
+/// metres.
 struct MarkLine
 {
     double length = 0.0;  ///< of a visible piece; 0: all along
@@ -96,7 +97,8 @@ struct MarkLine
     std::string rule; ///< "no passing", "caution", "none"
 };
 
-/// A mark along the outer border of a lane (for the centre lane along the lane offset). It holds up to the next mark.
+/// A mark along the outer border of a lane (for the centre lane along the lane offset). It holds up to the
+/// next mark.
 /// Source: ASAM OpenDRIVE 1.8, 11.9 (road markings).
 struct RoadMark
 {

@@ -29,8 +29,8 @@ struct ObjectOutline
     std::string fillType, laneType;
 };
 
-/// An object that stands many times along the road, or without a break (distance 0). Values change linearly from start
-/// to end. Units: metres. A value that is not told is that of the object.
+/// An object that stands many times along the road, or without a break (distance 0). Values change linearly
+/// from start to end. Units: metres. A value that is not told is that of the object.
 struct ObjectRepeat
 {
     double s = 0.0, length = 0.0, distance = 0.0;

@@ -13,8 +13,8 @@
 namespace osgRoads::core
 {
 
-/// A network in the frame of a scene: what is drawn, what the ground is cut to and what wheels stand on all ask here.
-/// Without a datum the scene's frame is the inertial frame of the file.
+/// A network in the frame of a scene: what is drawn, what the ground is cut to and what wheels stand on all
+/// ask here. Without a datum the scene's frame is the inertial frame of the file.
 /// Ownership: shares network and datum. Threads: any number may ask at the same time.
 class PlacedNetwork
 {
@@ -35,11 +35,13 @@ public:
         return _datum ? _datum->toScene(position, inertial) : inertial;
     }
 
-    /// Returns the place of the surface at (s, t), lane heights included; beside the lanes the cross-section goes on.
+    /// Returns the place of the surface at (s, t), lane heights included; beside the lanes the cross-section
+    /// goes on.
     glm::dvec3 surfacePoint(int road, double s, double t) const;
 
-    /// Returns the place of the surface where the locator has found a road: on its lanes as surfacePoint(), beside them that of
-    /// the verge, which falls outwards whatever the superelevation. Farther out than `mostOutM` it is the place there.
+    /// Returns the place of the surface where the locator has found a road: on its lanes as surfacePoint(),
+    /// beside them that of the verge, which falls outwards whatever the superelevation. Farther out than
+    /// `mostOutM` it is the place there.
     glm::dvec3 surfaceAt(const RoadMatch& match, const RoadBed& bed, double mostOutM = 1e9) const;
 
     /// Returns the inertial place of a point of the scene, for look-ups.

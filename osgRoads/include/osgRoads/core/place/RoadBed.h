@@ -4,9 +4,10 @@
 namespace osgRoads::core
 {
 
-/// How a road lies in the ground. The road's mesh has a verge beside its outermost lanes, then a skirt; under lanes and verge the
-/// ground is a bed that lies lower, and comes up through the verge's outer part. So no two surfaces lie in one plane, and at
-/// any level of detail the mesh covers the ground by more than either may err.
+/// How a road lies in the ground. The road's mesh has a verge beside its outermost lanes, then a skirt; under
+/// lanes and verge the ground is a bed that lies lower, and comes up through the verge's outer part. So no
+/// two surfaces lie in one plane, and at any level of detail the mesh covers the ground by more than either
+/// may err.
 /// Units: metres.
 struct RoadBed
 {

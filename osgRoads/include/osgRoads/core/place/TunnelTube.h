@@ -6,10 +6,11 @@
 namespace osgRoads::core
 {
 
-/// The cross-section of a tunnel: a tube around the paved lanes, upright, with a walkway on each side. Heights are above the road's
-/// surface in the tube's middle. What is drawn, what is cut from the ground and what wheels stand on have it from here.
-/// Units: metres. Source of the clearance of 4.5 m and above: German RABT, Richtlinien für die Ausstattung und den Betrieb von
-/// Straßentunneln, 2006.
+/// The cross-section of a tunnel: a tube around the paved lanes, upright, with a walkway on each side.
+/// Heights are above the road's surface in the tube's middle. What is drawn, what is cut from the ground and
+/// what wheels stand on have it from here.
+/// Units: metres. Source of the clearance of 4.5 m and above: German RABT, Richtlinien für die Ausstattung
+/// und den Betrieb von Straßentunneln, 2006.
 struct TunnelTube
 {
     double besideM = 1.0;                        ///< from the paved lanes to the wall: the walkway
@@ -39,7 +40,8 @@ RoadSides pavedSides(const Road& road, double s);
 /// Returns the inside of a tunnel's walls.
 RoadSides tunnelSides(const Road& road, double s, const TunnelTube& tube);
 
-/// Returns how deep s lies in a tunnel, from its nearest portal: negative outside. An end at the road's own end is no portal.
+/// Returns how deep s lies in a tunnel, from its nearest portal: negative outside. An end at the road's own
+/// end is no portal.
 double depthInTunnel(const Road& road, const RoadStructure& tunnel, double s);
 
 } // namespace osgRoads::core

@@ -34,10 +34,10 @@ struct PlanBox
 };
 
 /// A binary tree over boxes that do not change, halved at the median of their middles.
-/// Differs from a library's R-tree: the search asks for the true distance of each candidate as it goes and drops what
-/// cannot be nearer, and it allocates nothing.
-/// Source: Kay & Kajiya, *Ray tracing complex scenes*, 1986 (median cut); Roussopoulos, Kelley & Vincent, *Nearest
-/// neighbor queries*, 1995 (branch and bound).
+/// Differs from a library's R-tree: the search asks for the true distance of each candidate as it goes and
+/// drops what cannot be nearer, and it allocates nothing.
+/// Source: Kay & Kajiya, *Ray tracing complex scenes*, 1986 (median cut); Roussopoulos, Kelley & Vincent,
+/// *Nearest neighbor queries*, 1995 (branch and bound).
 class BoxTree
 {
 public:
@@ -46,8 +46,8 @@ public:
 
     bool isEmpty() const { return _nodes.empty(); }
 
-    /// Calls `visit(item, limit)` for items in growing distance of their branches, while they are not farther away than
-    /// the square root of `limit`; `visit` returns the new limit. `limit`: squares of metres.
+    /// Calls `visit(item, limit)` for items in growing distance of their branches, while they are not farther
+    /// away than the square root of `limit`; `visit` returns the new limit. `limit`: squares of metres.
     template<class Visit>
     void search(glm::dvec2 point, double limit, const Visit& visit) const
     {

@@ -20,7 +20,8 @@ struct GeodeticPosition
 
 /// The way from the inertial frame of a network to latitude and longitude, by PROJ (through GDAL), and back.
 /// The offset of the header is applied first, as the standard has it: world = rotated(inertial) + offset.
-/// Differs: netconvert up to SUMO 1.15 writes the offset with the other sign; `isOffsetReversed` reads such files.
+/// Differs: netconvert up to SUMO 1.15 writes the offset with the other sign; `isOffsetReversed` reads such
+/// files.
 /// Threads: one at a time.
 /// Source: ASAM OpenDRIVE 1.8, 8.5 (georeferencing).
 class GeoReference

@@ -19,8 +19,8 @@ struct LaneKey
     bool operator==(const LaneKey&) const = default;
 };
 
-/// The lanes that cars use, and how one comes from one to another: along the road, over junctions, and sideways.
-/// A lane with traffic in both directions is there twice.
+/// The lanes that cars use, and how one comes from one to another: along the road, over junctions, and
+/// sideways. A lane with traffic in both directions is there twice.
 /// Threads: any number may ask at the same time.
 /// Source: ASAM OpenDRIVE 1.8, 10.3 (road linkage), 11.5 (lane linkage), 12 (junctions).
 class LaneGraph

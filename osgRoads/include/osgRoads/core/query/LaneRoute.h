@@ -10,8 +10,8 @@
 namespace osgRoads::core
 {
 
-/// A stretch of one lane on a route, from sFrom to sTo (descending against the road). Of a lane that is left sideways, all
-/// but an empty stretch belongs to the lane changed to.
+/// A stretch of one lane on a route, from sFrom to sTo (descending against the road). Of a lane that is left
+/// sideways, all but an empty stretch belongs to the lane changed to.
 struct RouteLeg
 {
     LaneKey lane;
@@ -29,8 +29,8 @@ struct LaneRoute
     RoadPosition at(const RoadNetwork& network, double distanceM) const;
 };
 
-/// Finds the shortest route between two road positions over lanes that cars use. A lane change counts as kLaneChangeM.
-/// Errors (`place` is "route"): a position is on no such lane, or no route leads there.
+/// Finds the shortest route between two road positions over lanes that cars use. A lane change counts as
+/// kLaneChangeM. Errors (`place` is "route"): a position is on no such lane, or no route leads there.
 /// Source: Dijkstra, *A note on two problems in connexion with graphs*, 1959.
 foundation::Result<LaneRoute> findRoute(const RoadNetwork& network, const LaneGraph& graph,
                                         const RoadPosition& from, const RoadPosition& to);

@@ -34,8 +34,8 @@ inline const LaneSection* sectionAt(const Road& road, double s)
     return &road.sections[index < 0 ? 0 : static_cast<std::size_t>(index)];
 }
 
-/// Calls `use(LaneSpan)` for the lanes of one side from the centre outwards, until it returns false. A negative width
-/// counts as 0. A border on the wrong side of the one inside it does so, too.
+/// Calls `use(LaneSpan)` for the lanes of one side from the centre outwards, until it returns false. A
+/// negative width counts as 0. A border on the wrong side of the one inside it does so, too.
 /// Source: ASAM OpenDRIVE 1.8, 11.4 (lane offset), 11.6 (lane width), 11.7 (lane border).
 template<class Use>
 void forLanesOutwards(const Road& road, const LaneSection& section, int sign, double s, const Use& use)

@@ -21,8 +21,9 @@ enum class PaintKind
     patch, ///< of newer asphalt
 };
 
-/// Returns what a signal paints, or nothing for signals that stand. By the numbers of the German StVO (annex 2), which the country OpenDRIVE shares:
-/// 293 crosswalk, 294 stop line, 297 arrows, 341 yield line; 1000003 is a crosswalk, too; else by the words of its name.
+/// Returns what a signal paints, or nothing for signals that stand. By the numbers of the German StVO (annex
+/// 2), which the country OpenDRIVE shares: 293 crosswalk, 294 stop line, 297 arrows, 341 yield line; 1000003
+/// is a crosswalk, too; else by the words of its name.
 std::optional<PaintKind> paintKind(const Signal& signal);
 
 /// Returns what an object paints, by its type and subtype.
@@ -38,7 +39,8 @@ struct ArrowHeads
     bool operator==(const ArrowHeads&) const = default;
 };
 
-/// Returns the heads that subtype and name tell ("arrowStraightLeft", "SgRMArrowLeft"); straight ahead when they tell none.
+/// Returns the heads that subtype and name tell ("arrowStraightLeft", "SgRMArrowLeft"); straight ahead when
+/// they tell none.
 ArrowHeads arrowHeads(const RoadItem& item);
 
 } // namespace osgRoads::core

@@ -8,7 +8,8 @@
 namespace osgRoads::core
 {
 
-/// Returns places along a road, metres: from its start to its end, evenly spaced, `mostApartM` apart at most; two or more.
+/// Returns places along a road, metres: from its start to its end, evenly spaced, `mostApartM` apart at most;
+/// two or more.
 inline std::vector<double> evenStations(double lengthM, double mostApartM)
 {
     const int steps = std::max(static_cast<int>(std::ceil(lengthM / mostApartM)), 1);

@@ -31,8 +31,8 @@ struct ReadNetwork
 };
 
 /// Reads an OpenDRIVE file, version 1.4 to 1.8 (older 1.x as far as it agrees).
-/// Errors, as file:line: not a readable file, too large, not XML, nested too deep, no OpenDRIVE, another major version, no
-/// road that can be used. Everything else is a problem of the result.
+/// Errors, as file:line: not a readable file, too large, not XML, nested too deep, no OpenDRIVE, another
+/// major version, no road that can be used. Everything else is a problem of the result.
 /// Memory: about six times the file while it is read, about three times after.
 /// Source: ASAM OpenDRIVE 1.8; 1.4 for crossfall and poly3.
 foundation::Result<ReadNetwork> readNetwork(const std::filesystem::path& file,

@@ -10,12 +10,12 @@
 namespace osgRoads::core
 {
 
-/// A binary tree of spheres around the chunks of a mesh, so that a view pays for the part of a network that it sees.
-/// Differs from a library's R-tree: it is asked with a frustum and a distance at once, and a branch that lies inside a plane is
-/// not tested against that plane again.
+/// A binary tree of spheres around the chunks of a mesh, so that a view pays for the part of a network that
+/// it sees. Differs from a library's R-tree: it is asked with a frustum and a distance at once, and a branch
+/// that lies inside a plane is not tested against that plane again.
 /// Memory: 12 B a chunk. Threads: const, any.
-/// Source: Kay & Kajiya, *Ray tracing complex scenes*, 1986 (median cut); Assarsson & Möller, *Optimized View Frustum Culling
-/// Algorithms for Bounding Boxes*, 2000 (planes that a branch need not be tested against).
+/// Source: Kay & Kajiya, *Ray tracing complex scenes*, 1986 (median cut); Assarsson & Möller, *Optimized View
+/// Frustum Culling Algorithms for Bounding Boxes*, 2000 (planes that a branch need not be tested against).
 class ChunkTree
 {
 public:
@@ -29,12 +29,13 @@ public:
         std::size_t looks = 0;             ///< spheres, of branches and of chunks, that were looked at
     };
 
-    /// Returns the chunks that touch the frustum, none farther from the eye than `farthestM`. Frame: `view` in the scene's.
+    /// Returns the chunks that touch the frustum, none farther from the eye than `farthestM`. Frame: `view`
+    /// in the scene's.
     Visible visible(const viewlod::ViewState& view, double farthestM) const;
 
 private:
-    /// A branch: its items, and the sphere that holds theirs. An inner one is followed by its first half; the other half begins
-    /// at `second`.
+    /// A branch: its items, and the sphere that holds theirs. An inner one is followed by its first half; the
+    /// other half begins at `second`.
     struct Node
     {
         glm::dvec3 centre{0.0};
@@ -59,7 +60,8 @@ private:
     std::vector<Sphere> _spheres;      ///< of _items
 };
 
-/// Chooses as chooseLevels(mesh, view, settings) does, and looks only at branches of the tree that the view sees.
+/// Chooses as chooseLevels(mesh, view, settings) does, and looks only at branches of the tree that the view
+/// sees.
 std::vector<ChunkChoice> chooseLevels(const RoadMesh& mesh, const ChunkTree& tree,
                                       const viewlod::ViewState& view, const RoadViewSettings& settings);
 

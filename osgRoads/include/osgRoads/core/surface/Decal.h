@@ -12,8 +12,8 @@
 namespace osgRoads::core
 {
 
-/// A painted shape: a trapezoid in the plan view, solid or of stripes across its length. All that is painted besides the marks
-/// along borders is made of these. Frame: the scene's. Units: metres.
+/// A painted shape: a trapezoid in the plan view, solid or of stripes across its length. All that is painted
+/// besides the marks along borders is made of these. Frame: the scene's. Units: metres.
 struct Decal
 {
     glm::dvec3 start{0.0};      ///< the middle of its first side; z: of the road there
@@ -35,12 +35,12 @@ struct Decal
     }
 };
 
-/// Returns all that signals, objects and explicit lines of marks paint on the roads of a network: stop lines, crosswalks, arrows, parking
-/// spaces, areas.
-/// Stop lines lie on the lanes of their <validity>, else they are as wide as told and never reach over the reference line into the other
-/// direction. Crosswalks have stripes along the road of 0.5 m. Of a parking space the side towards the road's middle is open.
-/// Source: ASAM OpenDRIVE 1.8, 11.9.3 (explicit), 13, 14. Sizes that a file does not tell: German RMS (Richtlinien für die Markierung
-/// von Straßen, 1993, part 1): stop line 0.5 m, arrows 5 m.
+/// Returns all that signals, objects and explicit lines of marks paint on the roads of a network: stop lines,
+/// crosswalks, arrows, parking spaces, areas. Stop lines lie on the lanes of their <validity>, else they are
+/// as wide as told and never reach over the reference line into the other direction. Crosswalks have stripes
+/// along the road of 0.5 m. Of a parking space the side towards the road's middle is open.
+/// Source: ASAM OpenDRIVE 1.8, 11.9.3 (explicit), 13, 14. Sizes that a file does not tell: German RMS
+/// (Richtlinien für die Markierung von Straßen, 1993, part 1): stop line 0.5 m, arrows 5 m.
 std::vector<Decal> roadDecals(const PlacedNetwork& network);
 
 } // namespace osgRoads::core

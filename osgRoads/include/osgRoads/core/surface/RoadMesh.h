@@ -31,8 +31,8 @@ inline bool isGround(SurfaceKind kind)
 }
 
 /// A vertex of the drawn surface.
-/// Positions are whole steps of kMeshStepM from RoadMesh::origin: their difference to an eye is exact at any distance from
-/// the scene's origin.
+/// Positions are whole steps of kMeshStepM from RoadMesh::origin: their difference to an eye is exact at any
+/// distance from the scene's origin.
 struct MeshVertex
 {
     std::array<std::int32_t, 3> position{};
@@ -64,9 +64,10 @@ struct MarkRowLine
 /// What is painted along one border within one chunk: at most two lines.
 using MarkRow = std::array<MarkRowLine, 2>;
 
-/// A row of RoadMesh::decals. The first of a list: its origin from the mesh's in steps of 64 m (x, y) and the number of rows that follow.
-/// Each of these is a Decal: start (from the list's origin) and direction in the plan view; length, half of both widths, shift; dash,
-/// period, phase, 0; paint, 0. Units: metres.
+/// A row of RoadMesh::decals. The first of a list: its origin from the mesh's in steps of 64 m (x, y) and the
+/// number of rows that follow.
+/// Each of these is a Decal: start (from the list's origin) and direction in the plan view; length, half of
+/// both widths, shift; dash, period, phase, 0; paint, 0. Units: metres.
 using DecalRow = std::array<float, 16>;
 
 /// One level of a chunk: a range of RoadMesh::indices, and its greatest distance from the exact surface.
@@ -78,8 +79,8 @@ struct ChunkLevel
         0; ///< so many of the first indices are those of strips that are not isGround()
 };
 
-/// A stretch of a road within one lane section. Its first and last cross-sections belong to every level, so that
-/// neighbouring chunks meet whatever their levels are.
+/// A stretch of a road within one lane section. Its first and last cross-sections belong to every level, so
+/// that neighbouring chunks meet whatever their levels are.
 struct RoadChunk
 {
     int road = -1;

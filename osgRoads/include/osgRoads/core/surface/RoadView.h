@@ -38,16 +38,17 @@ struct ChunkChoice
     bool operator==(const ChunkChoice&) const = default;
 };
 
-/// Returns the coarsest level of each chunk in the frustum whose error stays within the tolerance anywhere in the image.
-/// It looks at every chunk; for each frame of a large network take the one of ChunkTree.h. Frame: `view` in the scene's.
+/// Returns the coarsest level of each chunk in the frustum whose error stays within the tolerance anywhere in
+/// the image. It looks at every chunk; for each frame of a large network take the one of ChunkTree.h. Frame:
+/// `view` in the scene's.
 std::vector<ChunkChoice> chooseLevels(const RoadMesh& mesh, const viewlod::ViewState& view,
                                       const RoadViewSettings& settings);
 
 /// Returns by how much the surface is lifted at a distance from the eye; the vertex shader does the same.
 double liftAt(double distanceM, const viewlod::ViewState& view, const RoadViewSettings& settings);
 
-/// Returns the height at which a view draws the surface at a point of the plan view, lift included: the highest that is not
-/// above `below`. Nothing: no road is drawn there.
+/// Returns the height at which a view draws the surface at a point of the plan view, lift included: the
+/// highest that is not above `below`. Nothing: no road is drawn there.
 std::optional<double> drawnHeight(const RoadMesh& mesh, const std::vector<ChunkChoice>& choices,
                                   const viewlod::ViewState& view, const RoadViewSettings& settings,
                                   glm::dvec2 at, double below = 1e9);

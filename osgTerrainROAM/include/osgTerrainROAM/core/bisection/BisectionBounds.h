@@ -18,13 +18,14 @@ struct BisectionView
     double nearest = 1.0;     ///< the least distance that counts
 };
 
-/// For each vertex the error that is left without it, and the radius around it in which that error lies; both nested, so that what a vertex
-/// depends on is active whenever it is.
-/// The error of a triangle is the greatest distance of a point of the finest surface in it from the triangle's point of the same weights:
-/// of all vertices at the finest level, and in a carrier of all points of its patch. Both surfaces are linear between those points, so it
-/// bounds all others.
+/// For each vertex the error that is left without it, and the radius around it in which that error lies; both
+/// nested, so that what a vertex depends on is active whenever it is. The error of a triangle is the greatest
+/// distance of a point of the finest surface in it from the triangle's point of the same weights: of all
+/// vertices at the finest level, and in a carrier of all points of its patch. Both surfaces are linear
+/// between those points, so it bounds all others.
 /// Memory: 8 B a triangle of the complete bintrees. Cost: one step for each vertex at each level.
-/// Source: Lindstrom & Pascucci, *Terrain simplification simplified*, 2002, section 4 (nested errors and spheres).
+/// Source: Lindstrom & Pascucci, *Terrain simplification simplified*, 2002, section 4 (nested errors and
+/// spheres).
 class BisectionBounds
 {
 public:

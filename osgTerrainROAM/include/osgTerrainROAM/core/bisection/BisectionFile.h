@@ -29,13 +29,13 @@ struct BisectionFile
     bool operator==(const BisectionFile&) const = default;
 };
 
-/// `name`: for messages, and for paths, which are relative to its folder. Errors: a line that is none, an unknown key, a value out of range;
-/// keys that do not go together.
+/// `name`: for messages, and for paths, which are relative to its folder. Errors: a line that is none, an
+/// unknown key, a value out of range; keys that do not go together.
 foundation::Result<BisectionFile> parseBisectionFile(std::string_view text,
                                                      const std::filesystem::path& name);
 
-/// Reads a .bisection file and all that it names. Errors: of the file, of those that it names, more than 2^22 finest triangles, a TIN that lies in
-/// no triangle, or in that of another.
+/// Reads a .bisection file and all that it names. Errors: of the file, of those that it names, more than 2^22
+/// finest triangles, a TIN that lies in no triangle, or in that of another.
 /// Cost and memory: those of the complete bintrees.
 foundation::Result<std::shared_ptr<const BisectionModel>> openBisection(const std::filesystem::path& file);
 

@@ -12,7 +12,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// A triangle that is drawn. Vertices below BisectionSurface::vertices() are those of the surface, others points inside patches.
+/// A triangle that is drawn. Vertices below BisectionSurface::vertices() are those of the surface, others
+/// points inside patches.
 struct DrawnBisector
 {
     CornerVertices vertices;
@@ -26,15 +27,17 @@ struct BisectionChanges
     std::uint32_t split = 0, merged = 0; ///< triangles
 };
 
-/// ROAM over any coarse mesh, whose triangles may carry TINs: the coarsest mesh of its bintrees in which no point of the surface is farther
-/// from where it is drawn than the tolerance allows at its distance.
-/// A vertex is wanted when it is active, or when the border of a patch whose carrier would split depends on it. Wanted vertices depend on
-/// wanted ones alone, so the mesh is a function of the eye: equal for equal eyes, whatever came before.
+/// ROAM over any coarse mesh, whose triangles may carry TINs: the coarsest mesh of its bintrees in which no
+/// point of the surface is farther from where it is drawn than the tolerance allows at its distance. A vertex
+/// is wanted when it is active, or when the border of a patch whose carrier would split depends on it. Wanted
+/// vertices depend on wanted ones alone, so the mesh is a function of the eye: equal for equal eyes, whatever
+/// came before.
 /// Memory: 3 B a triangle of the complete bintrees, without the bounds.
 class BisectionMesh
 {
 public:
-    /// `surface` and `patches` must stay. Patches are sound by checkPatch(), and no carrier lies below another.
+    /// `surface` and `patches` must stay. Patches are sound by checkPatch(), and no carrier lies below
+    /// another.
     explicit BisectionMesh(const BisectionSurface& surface, std::span<const BisectionPatch> patches = {})
         : BisectionMesh(surface, patches, std::make_shared<const BisectionBounds>(surface, patches))
     {

@@ -23,9 +23,10 @@ struct PatchPoint
     glm::dvec3 point{0.0};
 };
 
-/// A TIN that takes the place of all that is below a triangle of a bintree, the *carrier*. While the carrier is a leaf it is drawn as any
-/// other; when it would split, the TIN is drawn instead. Its border is locked: it has the vertices that the sides of the carrier have at
-/// the finest level, and no others. So neighbours are plain leaves, or other patches, without a crack.
+/// A TIN that takes the place of all that is below a triangle of a bintree, the *carrier*. While the carrier
+/// is a leaf it is drawn as any other; when it would split, the TIN is drawn instead. Its border is locked:
+/// it has the vertices that the sides of the carrier have at the finest level, and no others. So neighbours
+/// are plain leaves, or other patches, without a crack.
 /// Invariant: checkPatch().
 struct BisectionPatch
 {
@@ -35,13 +36,13 @@ struct BisectionPatch
     std::vector<CornerVertices> triangles; ///< corners are numbers in `points`
 };
 
-/// Makes a patch from points inside a triangle: their Delaunay triangulation in the plane of the weights, with the border. Points less
-/// than 2^-20 of a side from another are left out.
+/// Makes a patch from points inside a triangle: their Delaunay triangulation in the plane of the weights,
+/// with the border. Points less than 2^-20 of a side from another are left out.
 BisectionPatch makePatch(const BisectionSurface& surface, Bisector carrier,
                          std::span<const PatchPoint> inside);
 
-/// Checks by brute force that a patch covers its carrier once, that its border is that of the carrier, and that border points lie where the
-/// surface has them. Returns what is wrong.
+/// Checks by brute force that a patch covers its carrier once, that its border is that of the carrier, and
+/// that border points lie where the surface has them. Returns what is wrong.
 std::optional<std::string> checkPatch(const BisectionSurface& surface, const BisectionPatch& patch);
 
 /// Finds patches by their carriers.

@@ -13,14 +13,15 @@
 namespace osgTerrainROAM::core
 {
 
-/// Where a point of the coarse mesh lies on the true surface: a sphere's radius, a terrain's height, any deformation. A function of the
-/// point alone, so faces agree along their sides.
+/// Where a point of the coarse mesh lies on the true surface: a sphere's radius, a terrain's height, any
+/// deformation. A function of the point alone, so faces agree along their sides.
 using SurfaceShape = std::function<glm::dvec3(const glm::dvec3& coarsePoint)>;
 
 /// The corners of a triangle: left, right, apex; counter-clockwise.
 using CornerVertices = std::array<std::uint32_t, 3>;
 
-/// Where a point lies in a triangle: shares of left, right and apex. They are sums of powers of a half, so they are exact.
+/// Where a point lies in a triangle: shares of left, right and apex. They are sums of powers of a half, so
+/// they are exact.
 using CornerWeights = std::array<glm::dvec3, 3>;
 constexpr CornerWeights kOwnCorners{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
 
@@ -29,8 +30,9 @@ inline glm::dvec3 middleOf(const CornerWeights& corners)
     return 0.5 * (corners[0] + corners[1]);
 }
 
-/// The vertices that the bintrees over a coarse mesh can have, down to a level. A vertex has one number, whichever triangle asks:
-/// points of the mesh come first, then centres of faces, then the middle of each base.
+/// The vertices that the bintrees over a coarse mesh can have, down to a level. A vertex has one number,
+/// whichever triangle asks: points of the mesh come first, then centres of faces, then the middle of each
+/// base.
 /// Memory: 24 B a triangle of the complete bintrees.
 class BisectionSurface
 {
@@ -51,8 +53,9 @@ public:
     std::uint32_t vertices() const { return static_cast<std::uint32_t>(_points.size()); }
     const glm::dvec3& point(std::uint32_t vertex) const { return _points[vertex]; }
 
-    /// Calls visit(neighbours, vertex, corners) for a triangle and all below it that are above the last level; the vertex lies at
-    /// middleOf(corners). Where it returns false, the halves are left out. `corners`: of the first, as shares of any triangle above it.
+    /// Calls visit(neighbours, vertex, corners) for a triangle and all below it that are above the last
+    /// level; the vertex lies at middleOf(corners). Where it returns false, the halves are left out.
+    /// `corners`: of the first, as shares of any triangle above it.
     template<class Visit>
     void visitWeighted(const BisectorNeighbours& at, const CornerWeights& corners, const Visit& visit) const
     {

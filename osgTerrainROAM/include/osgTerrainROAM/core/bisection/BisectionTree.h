@@ -9,11 +9,11 @@
 namespace osgTerrainROAM::core
 {
 
-/// The triangle bintrees over all sides of a coarse mesh, and ROAM's operations on them. No grid is needed: the neighbour across the base
-/// of a root is the root of the twin, and all others follow.
+/// The triangle bintrees over all sides of a coarse mesh, and ROAM's operations on them. No grid is needed:
+/// the neighbour across the base of a root is the root of the twin, and all others follow.
 /// Invariant: isConforming(). Memory: one bit a triangle of the complete bintrees.
-/// Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 4; *Methods of continuous level of detail for terrain* (Graphicon 2002),
-/// section 5.2 (enhMerge). Roots as in Bisector.h.
+/// Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 4; *Methods of continuous level of detail for
+/// terrain* (Graphicon 2002), section 5.2 (enhMerge). Roots as in Bisector.h.
 class BisectionTree
 {
 public:
@@ -26,12 +26,14 @@ public:
     bool isSplit(Bisector t) const { return t.level() < _levels && _isSplit[placeOf(t)]; }
     bool isThere(Bisector t) const { return t.exists() && (t.node == 1 || isSplit(t.parent())); }
 
-    /// Splits a leaf and its base neighbour; splits first the coarser leaves that this needs. Returns the number of triangles split.
+    /// Splits a leaf and its base neighbour; splits first the coarser leaves that this needs. Returns the
+    /// number of triangles split.
     /// Precondition: a leaf above the last level.
     std::uint32_t forceSplit(Bisector t);
 
-    /// Makes a split triangle and its base neighbour leaves: removes the vertex between them after all that hang on it, inside and, across
-    /// legs, outside. Returns the number of triangles merged. Cost: one visit a vertex that goes, and the way to it.
+    /// Makes a split triangle and its base neighbour leaves: removes the vertex between them after all that
+    /// hang on it, inside and, across legs, outside. Returns the number of triangles merged. Cost: one visit
+    /// a vertex that goes, and the way to it.
     std::uint32_t enhMerge(Bisector t);
 
     std::uint32_t leafCount() const { return _leaves; }
@@ -44,8 +46,8 @@ public:
             visitLeaves({side, 1}, visit);
     }
 
-    /// Checks exhaustively that both triangles at a base are split or neither, that only triangles that are there are split, and the
-    /// number of leaves. For tests.
+    /// Checks exhaustively that both triangles at a base are split or neither, that only triangles that are
+    /// there are split, and the number of leaves. For tests.
     bool isConforming() const;
 
 private:

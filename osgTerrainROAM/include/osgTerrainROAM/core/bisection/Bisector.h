@@ -9,9 +9,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// A triangle of a bintree over a side of a coarse mesh. The root of a side has that side as its base and the centre of the face as its
-/// apex. A split joins the apex with the middle of the base. Nodes are numbered as in a heap: 1 is the root, 2n and 2n + 1 are the
-/// halves of n; 2n has the left leg of n as its base, 2n + 1 the right one.
+/// A triangle of a bintree over a side of a coarse mesh. The root of a side has that side as its base and the
+/// centre of the face as its apex. A split joins the apex with the middle of the base. Nodes are numbered as
+/// in a heap: 1 is the root, 2n and 2n + 1 are the halves of n; 2n has the left leg of n as its base, 2n + 1
+/// the right one.
 struct Bisector
 {
     std::uint32_t side = kNoSide, node = 0;
@@ -39,8 +40,9 @@ struct BisectorNeighbours
 };
 
 /// Returns a triangle's neighbours of the same level. Cost: one step a level.
-/// Source: Dupuy, *Concurrent binary trees (with application to longest edge bisection)*, 2020, section 4; roots over half-edges after
-/// Benyoub & Dupuy, *Concurrent binary trees for large-scale game components*, 2024.
+/// Source: Dupuy, *Concurrent binary trees (with application to longest edge bisection)*, 2020, section 4;
+/// roots over half-edges after Benyoub & Dupuy, *Concurrent binary trees for large-scale game components*,
+/// 2024.
 inline BisectorNeighbours neighboursOf(const CoarseMesh& mesh, Bisector triangle)
 {
     const std::uint32_t s = triangle.side, twin = mesh.twin(s);

@@ -15,12 +15,14 @@ constexpr std::uint32_t kNoSide = 0xffffffffu;
 
 /// A mesh of faces with any number of corners: a cube, a TIN, an overhang; closed or with borders.
 /// Invariant: each side of a face has at most one twin, which runs the other way.
-/// A *side* is a half-edge: sides are numbered face by face, in the order of the corners, from which they lead to the next corner.
+/// A *side* is a half-edge: sides are numbered face by face, in the order of the corners, from which they
+/// lead to the next corner.
 class CoarseMesh
 {
 public:
-    /// `faces`: corners of each, counter-clockwise seen from outside; at least three, none twice. Errors: a face that is none; an edge
-    /// that three faces have, or two in the same direction. `place`: what errors name.
+    /// `faces`: corners of each, counter-clockwise seen from outside; at least three, none twice. Errors: a
+    /// face that is none; an edge that three faces have, or two in the same direction. `place`: what errors
+    /// name.
     static foundation::Result<CoarseMesh> make(std::vector<glm::dvec3> points,
                                                const std::vector<std::vector<std::uint32_t>>& faces,
                                                const std::string& place);

@@ -47,8 +47,8 @@ struct BlockBox
     }
 };
 
-/// The error that a block may have for each pixel of tolerance: K e / max(d, n) <= tolerance, with d the least distance from the eye to
-/// the box (viewlod::screenErrorBoundPx).
+/// The error that a block may have for each pixel of tolerance: K e / max(d, n) <= tolerance, with d the
+/// least distance from the eye to the box (viewlod::screenErrorBoundPx).
 inline double allowedErrorM(const BlockBox& box, const viewlod::ViewState& view)
 {
     return std::max(box.distanceM(view.eyeWorld), view.nearM) / view.guaranteedPixelsPerTangent();

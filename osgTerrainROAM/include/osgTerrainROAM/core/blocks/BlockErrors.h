@@ -13,10 +13,11 @@ namespace osgTerrainROAM::core
 {
 
 /// The exact error of every level of every block, and of every border, for regular decimation.
-/// An error is the largest |X(s) - surface at s| over the samples s of the data that the triangles hold, both in 3D: the surface is taken
-/// at the sample's place in grid indices, so the Earth's curvature is in it. Errors of levels above 0 include the rounding of vertices.
-/// Frame: the tile's. Units: metres. Memory: 4 B for each pair of levels and side: about 0.5 B a sample. Cost of measuring: about 1 µs
-/// a sample.
+/// An error is the largest |X(s) - surface at s| over the samples s of the data that the triangles hold, both
+/// in 3D: the surface is taken at the sample's place in grid indices, so the Earth's curvature is in it.
+/// Errors of levels above 0 include the rounding of vertices.
+/// Frame: the tile's. Units: metres. Memory: 4 B for each pair of levels and side: about 0.5 B a sample. Cost
+/// of measuring: about 1 µs a sample.
 class BlockErrors
 {
 public:
@@ -35,8 +36,8 @@ public:
         return _stripsM[stripIndex(block, level, side, border)];
     }
 
-    /// Of a block that is at a level exactly, while its borders have any state between that level and two above: bounds what morphing
-    /// draws. It does not fall with the level.
+    /// Of a block that is at a level exactly, while its borders have any state between that level and two
+    /// above: bounds what morphing draws. It does not fall with the level.
     double morphedM(std::uint32_t block, int level) const { return _morphedM[index(block, level)]; }
 
     const BlockBox& box(std::uint32_t block) const { return _boxes[block]; }

@@ -22,8 +22,9 @@ enum Side
 };
 inline constexpr int kSides = 4;
 
-/// The division of a tile's grid into square blocks of M × M cells, M = 2^exponent. Neighbouring blocks share the points of their
-/// border. Only blocks with data exist; those at the north and east edge may reach beyond it.
+/// The division of a tile's grid into square blocks of M × M cells, M = 2^exponent. Neighbouring blocks share
+/// the points of their border. Only blocks with data exist; those at the north and east edge may reach beyond
+/// it.
 /// Threads: immutable.
 class BlockGrid
 {

@@ -12,8 +12,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// The part of a mesh of blocks that does not depend on how a block is simplified: slots of each block, culling, queries.
-/// Each block has a run of vertex slots and a run of triangle slots; it shares none with its neighbours.
+/// The part of a mesh of blocks that does not depend on how a block is simplified: slots of each block,
+/// culling, queries. Each block has a run of vertex slots and a run of triangle slots; it shares none with
+/// its neighbours.
 /// Memory: 24 B a vertex slot, 12 B a triangle slot.
 class BlockMesh : public TerrainMesh
 {
@@ -52,12 +53,13 @@ protected:
         GridPoint place;
     };
 
-    /// Writes all vertices of a block; the run keeps its place if it has room for `capacity`, no more and no less. The first `sunk` of
-    /// them hang below their samples.
+    /// Writes all vertices of a block; the run keeps its place if it has room for `capacity`, no more and no
+    /// less. The first `sunk` of them hang below their samples.
     void writeVertices(std::uint32_t block, std::span<const Vertex> vertices, std::uint32_t capacity,
                        std::uint32_t sunk = 0);
 
-    /// Writes all triangles of a block, by the numbers of its vertices. The last `ofRim` of them lie outside the block, under others.
+    /// Writes all triangles of a block, by the numbers of its vertices. The last `ofRim` of them lie outside
+    /// the block, under others.
     void writeTriangles(std::uint32_t block, std::span<const LeafTriangle> triangles, std::uint32_t capacity,
                         std::uint32_t ofRim = 0);
 

@@ -11,7 +11,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Allocates runs of slots. Runs of one size take each other's place: blocks have few sizes. Cost: O(log of the number of sizes).
+/// Allocates runs of slots. Runs of one size take each other's place: blocks have few sizes. Cost: O(log of
+/// the number of sizes).
 class BlockSlots
 {
 public:

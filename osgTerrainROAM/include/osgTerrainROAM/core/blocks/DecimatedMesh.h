@@ -11,13 +11,15 @@
 namespace osgTerrainROAM::core
 {
 
-/// Regular decimation (geometrical mip-mapping): each block is drawn at one level, which keeps every 2^k-th row and column. Where the
-/// neighbour is coarser, fans leave out the vertices that it lacks, so the mesh conforms whatever the levels are.
-/// Levels depend on the eye alone, not on what came before. Only blocks whose shape has changed are written; with morphing these are
-/// most blocks, in every frame.
-/// Cost of a refinement: about 50 ns a block, and 20 ns for each vertex and triangle written; where the ceiling binds, 30 times the former.
-/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 3. Differs: errors are exact instead of those
-/// of removed vertices alone; morphing of blocks bounds the error of the drawn surface.
+/// Regular decimation (geometrical mip-mapping): each block is drawn at one level, which keeps every 2^k-th
+/// row and column. Where the neighbour is coarser, fans leave out the vertices that it lacks, so the mesh
+/// conforms whatever the levels are. Levels depend on the eye alone, not on what came before. Only blocks
+/// whose shape has changed are written; with morphing these are most blocks, in every frame.
+/// Cost of a refinement: about 50 ns a block, and 20 ns for each vertex and triangle written; where the
+/// ceiling binds, 30 times the former.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 3. Differs: errors
+/// are exact instead of those of removed vertices alone; morphing of blocks bounds the error of the drawn
+/// surface.
 class DecimatedMesh final : public BlockMesh
 {
 public:

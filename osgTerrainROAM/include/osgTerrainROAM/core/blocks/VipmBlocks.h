@@ -18,8 +18,10 @@ namespace osgTerrainROAM::core
 /// What becomes of the border of a block of progressive meshes.
 enum class VipmBorders
 {
-    locked,      ///< all its samples stay: neighbours share them, and the mesh conforms
-    overlapping, ///< it is simplified along its sides; a rim (BlockRim) goes under the neighbours, and the blocks cover each other
+    locked, ///< all its samples stay: neighbours share them, and the mesh conforms
+    /// it is simplified along its sides; a rim (BlockRim) goes under the neighbours, and the blocks cover
+    /// each other
+    overlapping,
 };
 
 /// A level of a block that is drawn: of those between, none is.
@@ -41,10 +43,12 @@ struct VipmBlock
     BlockBox box;
 };
 
-/// The progressive meshes of all blocks of a tile, with locked or overlapping borders. Levels are a ladder: each has about five sixths of the triangles of the one before. The error of each is measured over all samples of
-/// the block. The ladder ends where a collapse turns a triangle over in plan, or nothing is left to remove.
-/// Frame: the tile's. Threads: const from any. Memory: memoryBytes(). Cost of making: that of simplify(), some 10 µs a sample; blocks are
-/// made in parallel, with the same result.
+/// The progressive meshes of all blocks of a tile, with locked or overlapping borders. Levels are a ladder:
+/// each has about five sixths of the triangles of the one before. The error of each is measured over all
+/// samples of the block. The ladder ends where a collapse turns a triangle over in plan, or nothing is left
+/// to remove.
+/// Frame: the tile's. Threads: const from any. Memory: memoryBytes(). Cost of making: that of simplify(),
+/// some 10 µs a sample; blocks are made in parallel, with the same result.
 class VipmBlocks
 {
 public:
@@ -56,11 +60,12 @@ public:
     VipmBorders borders() const { return _borders; }
     const VipmBlock& block(std::uint32_t block) const { return *_blocks[block]; }
 
-    /// The height in the tile's frame at which the outer edge of a block's rim lies: below all samples of the blocks around it. Units:
-    /// metres.
+    /// The height in the tile's frame at which the outer edge of a block's rim lies: below all samples of the
+    /// blocks around it. Units: metres.
     double rimHeightM(std::uint32_t block) const { return _rimHeightsM[block]; }
 
-    /// The same for the tile as it is now: blocks that hold points of the rectangles are made anew, the others shared.
+    /// The same for the tile as it is now: blocks that hold points of the rectangles are made anew, the
+    /// others shared.
     std::shared_ptr<const VipmBlocks> remade(std::span<const GridRect> moved) const;
 
     std::uint64_t revision() const { return _revision; } ///< of the tile when they were made
@@ -80,7 +85,8 @@ private:
     std::uint64_t _revision = 0;
 };
 
-/// Makes the progressive mesh of one block. Nothing for the borders: they are simplified like the rest, for tests.
+/// Makes the progressive mesh of one block. Nothing for the borders: they are simplified like the rest, for
+/// tests.
 VipmBlock makeVipmBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint32_t block,
                         std::optional<VipmBorders> borders);
 

@@ -13,10 +13,12 @@
 namespace osgTerrainROAM::core
 {
 
-/// Blocks of view-independent progressive meshes: each block has the coarsest level whose error is allowed at its distance. Their borders
-/// are locked, and the mesh conforms; or the blocks overlap, and no ray from above passes between them (BlockRim). The levels depend on the eye alone, not on what came before; only blocks whose level has changed are written.
-/// Cost of a refinement: about 50 ns a block; for a block that changes, the edge collapses or vertex splits between its levels, and
-/// writing it.
+/// Blocks of view-independent progressive meshes: each block has the coarsest level whose error is allowed at
+/// its distance. Their borders are locked, and the mesh conforms; or the blocks overlap, and no ray from
+/// above passes between them (BlockRim). The levels depend on the eye alone, not on what came before; only
+/// blocks whose level has changed are written.
+/// Cost of a refinement: about 50 ns a block; for a block that changes, the edge collapses or vertex splits
+/// between its levels, and writing it.
 /// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 4.2.
 class VipmMesh final : public BlockMesh
 {

@@ -10,7 +10,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Land cover over a tile: one kind a texel. The centres of the first and last texels lie on the first and last samples of the data.
+/// Land cover over a tile: one kind a texel. The centres of the first and last texels lie on the first and
+/// last samples of the data.
 struct CoverMap
 {
     int width = 0, height = 0;
@@ -21,8 +22,9 @@ struct CoverMap
     GroundKind at(int x, int y) const { return kinds[static_cast<std::size_t>(y) * width + x]; }
 };
 
-/// Resamples the first band of a raster of classes (any that GDAL opens) over a tile, at the raster's own resolution but no more
-/// than 8192 texels a side. Takes the nearest class, never a mean. NoData, and texels beyond the raster, are unknown.
+/// Resamples the first band of a raster of classes (any that GDAL opens) over a tile, at the raster's own
+/// resolution but no more than 8192 texels a side. Takes the nearest class, never a mean. NoData, and texels
+/// beyond the raster, are unknown.
 /// Errors: not a raster, no georeference that can be related to the tile's, no known class on the tile.
 /// Memory: 1 B a texel, 2 B during the import. Threads: any.
 foundation::Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable& table,

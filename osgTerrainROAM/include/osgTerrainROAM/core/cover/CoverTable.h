@@ -40,9 +40,9 @@ CoverTable worldCoverTable();
 /// CORINE Land Cover, the raster's codes 1 … 44 and the nomenclature's 111 … 523 (Kosztra and others, 2019).
 CoverTable corineTable();
 
-/// Parses text of lines `CODE = KIND`; a code is a number or a range FIRST-LAST, `#` starts a comment. `name`: for messages.
-/// Errors, with place "name:line": malformed line, unknown kind (the message lists the known ones), code repeated or beyond
-/// ±1 000 000.
+/// Parses text of lines `CODE = KIND`; a code is a number or a range FIRST-LAST, `#` starts a comment.
+/// `name`: for messages. Errors, with place "name:line": malformed line, unknown kind (the message lists the
+/// known ones), code repeated or beyond ±1 000 000.
 foundation::Result<CoverTable> parseCoverTable(std::string_view text, const std::string& name);
 
 /// Returns the built-in table "worldcover" or "corine", or reads a file for parseCoverTable().

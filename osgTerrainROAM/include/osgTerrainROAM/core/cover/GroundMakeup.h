@@ -8,7 +8,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// What a kind of ground is made of where one stands on it, each a share; what is left has no detail of its own.
+/// What a kind of ground is made of where one stands on it, each a share; what is left has no detail of its
+/// own.
 struct GroundMakeup
 {
     float grass = 0.0f, stones = 0.0f, earth = 0.0f, rock = 0.0f;

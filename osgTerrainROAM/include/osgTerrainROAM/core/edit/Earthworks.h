@@ -14,7 +14,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// An area or a line to whose heights the ground is cut and filled: a lake, a river, a runway with its strip, an apron.
+/// An area or a line to whose heights the ground is cut and filled: a lake, a river, a runway with its strip,
+/// an apron.
 /// Frame: any horizontal plane. Units: metres; heights in the samples' datum.
 struct Earthwork
 {
@@ -30,9 +31,10 @@ struct Earthwork
     double riseM = 0.0; ///< of a shore: the ground rises by a tenth, up to this height, before it may fall
 };
 
-/// Tells the height of ground that earthworks have shaped. A place within beds has the height of the last of them, but of
-/// beds of rivers that of the nearest line of one river, and that of the lowest of several; one beside beds
-/// lies between their slopes: at least as high as their embankments, at most as high as their cuttings.
+/// Tells the height of ground that earthworks have shaped. A place within beds has the height of the last of
+/// them, but of beds of rivers that of the nearest line of one river, and that of the lowest of several; one
+/// beside beds lies between their slopes: at least as high as their embankments, at most as high as their
+/// cuttings.
 /// Invariant: within a bed the height does not depend on the ground.
 /// Cost: some microseconds a place that works are near, else 0.1. Threads: const, any.
 class Earthworks
@@ -40,8 +42,9 @@ class Earthworks
 public:
     using Ground = std::function<std::optional<double>(const glm::dvec2& place)>;
 
-    /// `flatM`: beds are wider by this much, so that triangles across their edges are level. `ground` tells how far the slopes
-    /// reach, kFarthestM at most. Works with too few points, or without heights, count as none.
+    /// `flatM`: beds are wider by this much, so that triangles across their edges are level. `ground` tells
+    /// how far the slopes reach, kFarthestM at most. Works with too few points, or without heights, count as
+    /// none.
     Earthworks(std::vector<Earthwork> works, double flatM, const Ground& ground);
     ~Earthworks();
     Earthworks(Earthworks&&) noexcept;
@@ -53,7 +56,8 @@ public:
     /// Returns the height of the bed that a place lies in; nothing beside beds.
     std::optional<double> bedM(const glm::dvec2& place) const;
 
-    /// Boxes around everything that changes. `inside`: also the middle of areas, which is level or sloping evenly.
+    /// Boxes around everything that changes. `inside`: also the middle of areas, which is level or sloping
+    /// evenly.
     std::vector<PlanBox> boxes(bool inside) const;
 
     bool isEmpty() const;

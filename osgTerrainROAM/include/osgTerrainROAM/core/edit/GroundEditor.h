@@ -40,7 +40,8 @@ struct Ribbon
     double smoothM = 80.0;          ///< length over which the ground's heights are smoothed
 };
 
-/// Edits the ground by shapes. Each call is one step that undo() takes back; meshes of the tile follow in their next frame.
+/// Edits the ground by shapes. Each call is one step that undo() takes back; meshes of the tile follow in
+/// their next frame.
 /// Frame: horizontal positions are x and y of the tile's frame. Units: metres; heights in the samples' datum.
 /// Errors: those of TileEditor::apply and changesBy; a shape without extent. Threads: as TileEditor.
 class GroundEditor
@@ -48,7 +49,8 @@ class GroundEditor
 public:
     explicit GroundEditor(std::shared_ptr<RoamTile> tile) : _tile(tile), _steps(std::move(tile)) {}
 
-    /// Chooses whether edits add samples between those of the raster (EditDetail::places), where the tile's grid is finer.
+    /// Chooses whether edits add samples between those of the raster (EditDetail::places), where the tile's
+    /// grid is finer.
     void setDetail(EditDetail detail) { _detail = detail; }
 
     /// Sets the width, inside a region's border, over which the effect fades in.

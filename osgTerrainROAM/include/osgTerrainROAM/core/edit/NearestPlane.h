@@ -21,7 +21,8 @@ public:
         _count += 1.0;
     }
 
-    /// Computes the plane; level, at the mean height, where the positions are fewer than three or on one line.
+    /// Computes the plane; level, at the mean height, where the positions are fewer than three or on one
+    /// line.
     void fit()
     {
         const double scale = std::max(_products[0][0] + _products[1][1], 1e-12);

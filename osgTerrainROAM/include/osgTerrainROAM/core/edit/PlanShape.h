@@ -41,8 +41,8 @@ class PlanLine
 public:
     explicit PlanLine(std::vector<glm::dvec2> points);
 
-    /// The foot of a point is the nearest point of the line. alongM has no jump at bends: within each segment it is interpolated
-    /// between the bisectors of the bends at its two ends.
+    /// The foot of a point is the nearest point of the line. alongM has no jump at bends: within each segment
+    /// it is interpolated between the bisectors of the bends at its two ends.
     struct Foot
     {
         double alongM;    ///< from the beginning

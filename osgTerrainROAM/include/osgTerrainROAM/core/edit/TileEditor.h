@@ -29,10 +29,10 @@ struct EditReport
     double largestChangeM = 0.0;
 };
 
-/// Changes the heights of a tile while others draw it: samples, errors, radii and culling bounds. Notes for the meshes what has
-/// changed. Every step can be undone.
-/// Threads: one at a time; the editor holds RoamTile::mutex alone while it writes. Memory: about 60 B for each changed sample, until
-/// forgetUndo().
+/// Changes the heights of a tile while others draw it: samples, errors, radii and culling bounds. Notes for
+/// the meshes what has changed. Every step can be undone.
+/// Threads: one at a time; the editor holds RoamTile::mutex alone while it writes. Memory: about 60 B for
+/// each changed sample, until forgetUndo().
 class TileEditor
 {
 public:
@@ -49,17 +49,19 @@ public:
         stays,   ///< it stays as it is up to the next grid point: samples are added where there are none
     };
 
-    /// Applies all changes or, in case of an error, none. Of two changes of one point the later counts. Errors: a point beyond the
-    /// data, or without a sample where `between` needs one; a height that is no number or out of bounds.
+    /// Applies all changes or, in case of an error, none. Of two changes of one point the later counts.
+    /// Errors: a point beyond the data, or without a sample where `between` needs one; a height that is no
+    /// number or out of bounds.
     foundation::Result<EditReport> apply(std::span<const HeightChange> changes, Between between);
 
-    /// Undoes the last step: every height and bound is what it was before. Returns false when there is no step.
+    /// Undoes the last step: every height and bound is what it was before. Returns false when there is no
+    /// step.
     bool undo();
     std::size_t undoSteps() const { return _steps.size(); }
     void forgetUndo() { _steps.clear(); }
 
-    /// Measures errors that edits have only bounded (BoundsUpdate): `mostSamples` samples at most, but one vertex at least. Returns
-    /// true when all errors are exact.
+    /// Measures errors that edits have only bounded (BoundsUpdate): `mostSamples` samples at most, but one
+    /// vertex at least. Returns true when all errors are exact.
     bool tighten(std::size_t mostSamples = 1 << 16);
 
 private:

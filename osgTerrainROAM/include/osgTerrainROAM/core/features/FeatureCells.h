@@ -13,23 +13,27 @@
 namespace osgTerrainROAM::core
 {
 
-/// Vector features in square cells, for a fragment shader. Each cell lists the features that lie in it or within kReachM of it: a
-/// fragment whose filter is no wider than 2·kReachM reads its own cell alone.
-/// Positions in a record are relative to the middle of its cell: single precision resolves 8 µm there, however large the tile is.
+/// Vector features in square cells, for a fragment shader. Each cell lists the features that lie in it or
+/// within kReachM of it: a fragment whose filter is no wider than 2·kReachM reads its own cell alone.
+/// Positions in a record are relative to the middle of its cell: single precision resolves 8 µm there,
+/// however large the tile is.
 ///
 /// Records are texels of four floats. A cell's list holds, in this order:
-/// - areas, in the order of painting; each is [edges, kind, crop, seed] [row direction east, north, its middle's place across and along
+/// - areas, in the order of painting; each is [edges, kind, crop, seed] [row direction east, north, its
+/// middle's place across and along
 ///   the rows modulo kWayPeriodM]
-///   and `edges` × [east, north, east, north]: a clipped polygon's edges, less those that no ray to the east can meet;
+/// and `edges` × [east, north, east, north]: a clipped polygon's edges, less those that no ray to the east
+/// can meet;
 /// - lines, rivers before roads; each is [east, north, east, north] [half width, way to its first end modulo
 ///   kWayPeriodM, code, road's number], with code = kind + 4·pavement + 16·lanes + 256·marked;
 /// - strokes; each is [east, north, east, north] [half width, paint, 0, 0]: a rectangle with a middle line.
 ///
-/// Frame: the tile's local east and north. Units: metres. Cells are counted from the frame's origin, so that 4096 m are a whole
-/// number of them. Memory: 16 B a cell of the bounding rectangle and 16 B a texel.
+/// Frame: the tile's local east and north. Units: metres. Cells are counted from the frame's origin, so that
+/// 4096 m are a whole number of them. Memory: 16 B a cell of the bounding rectangle and 16 B a texel.
 /// Invariant: every list lies within the records (isConsistent()). Threads: immutable after build().
-/// Source: the lists are those of Nehab and Hoppe, Random-access rendering of general vector graphics (2008), section 3; here
-/// the polygons keep even-odd parity by clipping, and lines are strokes of constant width evaluated by distance.
+/// Source: the lists are those of Nehab and Hoppe, Random-access rendering of general vector graphics (2008),
+/// section 3; here the polygons keep even-odd parity by clipping, and lines are strokes of constant width
+/// evaluated by distance.
 struct FeatureCells
 {
     static constexpr double kReachM = 16.0;
@@ -70,7 +74,8 @@ struct FeatureCells
     glm::dvec2 inCell(const glm::dvec2& place) const;
     bool isConsistent() const;
 
-    /// Errors: more records than single precision can number (16 million), more than 4 million cells of 256 m.
+    /// Errors: more records than single precision can number (16 million), more than 4 million cells of 256
+    /// m.
     static foundation::Result<FeatureCells> build(const std::vector<GroundFeature>& features);
 };
 

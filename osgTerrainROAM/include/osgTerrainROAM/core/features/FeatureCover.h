@@ -23,8 +23,8 @@ struct FeatureCover
     float riverEdgeM = FeatureCells::kReachM;
 };
 
-/// Evaluates the cover at a position. Frame: the tile's local east and north. `filterM`: side of the filter, above 0, clamped to
-/// 2·kReachM.
+/// Evaluates the cover at a position. Frame: the tile's local east and north. `filterM`: side of the filter,
+/// above 0, clamped to 2·kReachM.
 /// Cost: some 10 ns a record of the cell. Threads: any.
 FeatureCover featureCover(const FeatureCells& cells, const glm::dvec2& place, double filterM);
 

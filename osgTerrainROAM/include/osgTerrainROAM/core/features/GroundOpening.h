@@ -9,8 +9,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// A volume in which the ground is neither drawn nor stood on: the inside of a tunnel. An upright cross-section, symmetric about its
-/// middle, swept along a line. The ground itself stays as it is.
+/// A volume in which the ground is neither drawn nor stood on: the inside of a tunnel. An upright
+/// cross-section, symmetric about its middle, swept along a line. The ground itself stays as it is.
 /// Frame: the tile's. Units: metres; heights of the cross-section are above the line.
 struct GroundOpening
 {

@@ -43,9 +43,11 @@ struct ShapeSet
     std::size_t lines = 0, outside = 0, invalid = 0;
 };
 
-/// Reads the points, areas and lines of any vector source that GDAL's OGR opens, with all attributes (those of OGR's other_tags, too).
-/// Each polygon of several is a shape of its own. Coordinates are put on the tile's ground, as importFeatures() does.
-/// Errors: as importFeatures(), but for a source that has none of them. Cost: about 3 µs a vertex. Threads: any.
+/// Reads the points, areas and lines of any vector source that GDAL's OGR opens, with all attributes (those
+/// of OGR's other_tags, too). Each polygon of several is a shape of its own. Coordinates are put on the
+/// tile's ground, as importFeatures() does.
+/// Errors: as importFeatures(), but for a source that has none of them. Cost: about 3 µs a vertex. Threads:
+/// any.
 foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile);
 
 } // namespace osgTerrainROAM::core

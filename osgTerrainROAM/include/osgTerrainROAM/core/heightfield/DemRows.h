@@ -12,9 +12,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// An elevation raster that is read row by row, for data that do not fit into memory. Samples and spacing are those of importDem(),
-/// but voids stay voids.
-/// Threads: constructed, used and destroyed on one thread. Memory: some rows, at most 4 MB, and a cache of GDAL's of 8 MB.
+/// An elevation raster that is read row by row, for data that do not fit into memory. Samples and spacing are
+/// those of importDem(), but voids stay voids.
+/// Threads: constructed, used and destroyed on one thread. Memory: some rows, at most 4 MB, and a cache of
+/// GDAL's of 8 MB.
 class DemRows
 {
 public:
@@ -30,7 +31,8 @@ public:
     double spacingEastM() const;
     double spacingNorthM() const;
 
-    /// Reads a row into heightsM, metres, voids NaN. `row`: 0 is the southernmost. Rows one after the other are cheapest.
+    /// Reads a row into heightsM, metres, voids NaN. `row`: 0 is the southernmost. Rows one after the other
+    /// are cheapest.
     /// Errors: truncated or damaged.
     foundation::Outcome read(int row, std::span<float> heightsM);
 

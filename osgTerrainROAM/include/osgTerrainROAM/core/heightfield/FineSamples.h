@@ -18,8 +18,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// The samples that edits have added between those of the raster, or instead of some: sparse, in square chunks found by grid
-/// coordinates. Heights and bounds are kept exactly, 12 B a sample. A point without a sample can have the bounds of its vertex.
+/// The samples that edits have added between those of the raster, or instead of some: sparse, in square
+/// chunks found by grid coordinates. Heights and bounds are kept exactly, 12 B a sample. A point without a
+/// sample can have the bounds of its vertex.
 /// Units: grid points; metres.
 class FineSamples
 {
@@ -36,13 +37,14 @@ public:
     /// The number of samples that the present chunks have room for.
     std::size_t sampleSpace() const { return _chunks.size() * kChunkSide * kChunkSide; }
 
-    /// Marks instead of a height: the point lies on the surface between the samples and counts among them where errors are
-    /// measured (kOnSurface), or does not count (kNoHeight).
+    /// Marks instead of a height: the point lies on the surface between the samples and counts among them
+    /// where errors are measured (kOnSurface), or does not count (kNoHeight).
     static constexpr float kOnSurface = std::numeric_limits<float>::infinity();
     static constexpr float kNoHeight = std::numeric_limits<float>::quiet_NaN();
     static bool hasHeight(const Sample& sample) { return std::isfinite(sample.heightM); }
 
-    /// Finds what is kept at a point: a sample, a point that counts among the samples, or only a vertex's bounds. Null: nothing.
+    /// Finds what is kept at a point: a sample, a point that counts among the samples, or only a vertex's
+    /// bounds. Null: nothing.
     const Sample* find(int column, int row) const
     {
         const auto found = _chunks.find(keyOf(column, row));
@@ -70,7 +72,8 @@ public:
             (*found->second)[slotOf(column, row)] = kNothing;
     }
 
-    /// Calls visit(column, row) for the points within a rectangle that count as samples. Their order depends on the content alone.
+    /// Calls visit(column, row) for the points within a rectangle that count as samples. Their order depends
+    /// on the content alone.
     template<class Visit>
     void forEachIn(const GridRect& rect, const Visit& visit) const
     {

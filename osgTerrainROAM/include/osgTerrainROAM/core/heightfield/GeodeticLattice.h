@@ -15,10 +15,11 @@
 namespace osgTerrainROAM::core
 {
 
-/// A lattice of exact positions and ellipsoid normals at the nodes of a GeodeticNet, interpolated biquadratically: each cell of
-/// 3 by 3 nodes has one Lagrange polynomial of degree 2 in each direction. A position is a function of grid point and height
-/// alone: the same bits on every call.
-/// Frame: local east-north-up metres about origin(). Heights are metres as the samples count them; the net adds the geoid.
+/// A lattice of exact positions and ellipsoid normals at the nodes of a GeodeticNet, interpolated
+/// biquadratically: each cell of 3 by 3 nodes has one Lagrange polynomial of degree 2 in each direction. A
+/// position is a function of grid point and height alone: the same bits on every call.
+/// Frame: local east-north-up metres about origin(). Heights are metres as the samples count them; the net
+/// adds the geoid.
 /// Memory: 48 B a node. Threads: immutable.
 class GeodeticLattice
 {
@@ -34,11 +35,13 @@ public:
     /// The same between grid points. Points beyond the grid are extrapolated.
     glm::dvec3 positionAt(double column, double row, double heightM) const;
 
-    /// Computes one Newton step, in grid points, towards the solution (grid, height) of positionAt(grid, height) = local.
+    /// Computes one Newton step, in grid points, towards the solution (grid, height) of positionAt(grid,
+    /// height) = local.
     glm::dvec2 newtonStep(const glm::dvec2& grid, const glm::dvec3& local) const;
 
 private:
-    /// The local position at sample height 0 and the ellipsoid's normal, side by side: interpolated two numbers at a time.
+    /// The local position at sample height 0 and the ellipsoid's normal, side by side: interpolated two
+    /// numbers at a time.
     struct Node
     {
         std::array<double, 6> values{};

@@ -25,7 +25,8 @@ struct GridRect
         return {std::max(west, o.west), std::max(south, o.south), std::min(east, o.east),
                 std::min(north, o.north)};
     }
-    /// Calls visit(column, row) for the points whose coordinates are multiples of `step`, a power of two; row by row.
+    /// Calls visit(column, row) for the points whose coordinates are multiples of `step`, a power of two; row
+    /// by row.
     template<class Visit>
     void forEachMultipleOf(int step, const Visit& visit) const
     {

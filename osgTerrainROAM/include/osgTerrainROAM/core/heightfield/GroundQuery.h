@@ -17,8 +17,9 @@ struct GroundPoint
     glm::dvec3 normal;   ///< of the triangle there, unit length, pointing up
 };
 
-/// Finds the full-resolution surface (all samples, triangulated as in the bintree's finest level) vertically above or below a
-/// position; nothing beyond the edge of the data. DrawnGround answers for the surface that a mesh draws.
+/// Finds the full-resolution surface (all samples, triangulated as in the bintree's finest level) vertically
+/// above or below a position; nothing beyond the edge of the data. DrawnGround answers for the surface that a
+/// mesh draws.
 /// Frame: the tile's. Cost: O(1), about 1 µs. Threads: const, any.
 /// Source: ours; fixed-point iteration over the triangles' own linear maps (GroundQuery.cpp).
 std::optional<GroundPoint> groundAt(const PlacedTile& tile, double east, double north);

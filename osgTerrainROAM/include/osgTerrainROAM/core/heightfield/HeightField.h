@@ -12,9 +12,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// Geodetic positions at a coarse, regular subset of a height field's samples; interpolation between them gives the position of
-/// every sample. So geographic and projected rasters are alike after the import, and only the import uses map projections (PROJ).
-/// Node (a, b) is sample (column, row) = (a·step, b·step); nodes cover the padded 2^n+1 tile.
+/// Geodetic positions at a coarse, regular subset of a height field's samples; interpolation between them
+/// gives the position of every sample. So geographic and projected rasters are alike after the import, and
+/// only the import uses map projections (PROJ). Node (a, b) is sample (column, row) = (a·step, b·step); nodes
+/// cover the padded 2^n+1 tile.
 /// Units: degrees; metres for the geoid's height above the ellipsoid.
 struct GeodeticNet
 {

@@ -24,9 +24,9 @@ struct PlacedTileOptions
     int gridExponent = 0; ///< the grid has at least 2^gridExponent points from one sample to the next
 };
 
-/// A height field as a square tile: a grid of points (TileGrid), samples at some of them (TileSamples), and a frame that gives each
-/// point a 3D position (TileFrame). Points beyond the data exist only so that the bintree is complete: they count in no error and
-/// are clipped when drawn.
+/// A height field as a square tile: a grid of points (TileGrid), samples at some of them (TileSamples), and a
+/// frame that gives each point a 3D position (TileFrame). Points beyond the data exist only so that the
+/// bintree is complete: they count in no error and are clipped when drawn.
 /// Threads: const from any, while nobody writes samples.
 class PlacedTile
 {
@@ -47,7 +47,8 @@ public:
     const TileSamples& samples() const { return _samples; }
     TileSamples& samples() { return _samples; }
 
-    /// The field's name, size, spacings, georeference and reports. Its heights, mask and dense parts are in samples().
+    /// The field's name, size, spacings, georeference and reports. Its heights, mask and dense parts are in
+    /// samples().
     const HeightField& field() const { return _field; }
 
     /// Position of a grid point, 0 ≤ column, row < side. Cost: TileFrame::positionOf.

@@ -8,9 +8,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// The second-order Taylor expansion of a tile's horizontal position by grid coordinates about the tile's middle:
-/// local(grid) = local₀ + J·d + d.x²·xx + d.x·d.y·xy + d.y²·yy, where d = grid − grid₀. Derivatives are central differences
-/// between the tile's nine corners, edge middles and centre.
+/// The second-order Taylor expansion of a tile's horizontal position by grid coordinates about the tile's
+/// middle: local(grid) = local₀ + J·d + d.x²·xx + d.x·d.y·xy + d.y²·yy, where d = grid − grid₀. Derivatives
+/// are central differences between the tile's nine corners, edge middles and centre.
 class PlanExpansion
 {
 public:

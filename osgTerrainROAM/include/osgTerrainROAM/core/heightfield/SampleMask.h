@@ -10,9 +10,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// A mask tells which samples of a raster exist: data can have an outline and holes. A default-constructed mask has all samples.
-/// It keeps a bit for each sample, and for each 64 samples the number of bits before them in the row: counting in a row takes
-/// constant time. Row 0 is the southernmost. Threads: immutable. Memory: 10 B per 64 samples; none when all samples exist.
+/// A mask tells which samples of a raster exist: data can have an outline and holes. A default-constructed
+/// mask has all samples. It keeps a bit for each sample, and for each 64 samples the number of bits before
+/// them in the row: counting in a row takes constant time. Row 0 is the southernmost. Threads: immutable.
+/// Memory: 10 B per 64 samples; none when all samples exist.
 class SampleMask
 {
 public:

@@ -6,7 +6,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// A view of a tile's raster alone: columns and rows are those of its samples, however fine the tile's grid is.
+/// A view of a tile's raster alone: columns and rows are those of its samples, however fine the tile's grid
+/// is.
 class SampleRaster
 {
 public:

@@ -10,8 +10,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// A sheet is a rectangle of a tile with denser samples than its raster (a DensePart on the tile's grid). It holds the samples
-/// inside its border; on the border its surface is the surface below it, so that both sides agree.
+/// A sheet is a rectangle of a tile with denser samples than its raster (a DensePart on the tile's grid). It
+/// holds the samples inside its border; on the border its surface is the surface below it, so that both sides
+/// agree.
 /// Units: grid points; metres.
 class SampleSheet
 {

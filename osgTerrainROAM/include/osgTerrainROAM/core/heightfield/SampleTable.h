@@ -21,14 +21,15 @@ enum class Storage
 inline constexpr double kEditHeadroom = 2.0;
 
 /// A table of samples: the height of each, and error and radius of the bintree vertex there (ErrorTree).
-/// Compact: 23-bit heights in steps of heightQuantumM(), a power of two: multiples of it, whole metres among them, are kept
-/// exactly. The step is 1 mm (2^-10 m) up to a range of 8 km. Errors have 5 bits of exponent and 11 of mantissa, radii 253
-/// logarithmic steps; both are rounded up. The data of a sample are adjacent: reading a vertex costs one cache miss at most.
-/// Sample `index` is row·columns + column. Units: metres.
+/// Compact: 23-bit heights in steps of heightQuantumM(), a power of two: multiples of it, whole metres among
+/// them, are kept exactly. The step is 1 mm (2^-10 m) up to a range of 8 km. Errors have 5 bits of exponent
+/// and 11 of mantissa, radii 253 logarithmic steps; both are rounded up. The data of a sample are adjacent:
+/// reading a vertex costs one cache miss at most. Sample `index` is row·columns + column. Units: metres.
 class SampleTable
 {
 public:
-    /// `headroom`: range of heights that the compact format can keep, as a multiple of the range of `heightsM`.
+    /// `headroom`: range of heights that the compact format can keep, as a multiple of the range of
+    /// `heightsM`.
     SampleTable(const std::vector<float>& heightsM, Storage storage, double headroom = 1.0);
 
     /// Sets the range of radii that can be told apart: from a fraction of a cell to several tiles.
@@ -115,7 +116,8 @@ private:
         return _offsetM + _quantumM * static_cast<float>(packed.steps());
     }
 
-    /// An error's code is the bits of a float without its sign, with exponents from 2^-14 on, and without the lower twelve bits.
+    /// An error's code is the bits of a float without its sign, with exponents from 2^-14 on, and without the
+    /// lower twelve bits.
     static constexpr std::uint32_t kErrorBias = (127u - 14u) << 11;
     static constexpr int kErrorShift = 12;
 

@@ -29,8 +29,8 @@ public:
     /// A planar frame. `spacing…M`: from one sample of the raster to the next.
     TileFrame(const TileGrid& grid, double spacingEastM, double spacingNorthM);
 
-    /// A curved frame. `origin` absent: the centre of the data at ellipsoidal height 0. `middleHeightM`: of the ground at the
-    /// tile's middle, about which gridNear() is exact.
+    /// A curved frame. `origin` absent: the centre of the data at ellipsoidal height 0. `middleHeightM`: of
+    /// the ground at the tile's middle, about which gridNear() is exact.
     TileFrame(const TileGrid& grid, GeodeticLattice lattice, double middleHeightM);
 
     Placement placement() const { return _lattice ? Placement::curved : Placement::planar; }
@@ -52,23 +52,25 @@ public:
         return {column * _pointEastM, row * _pointNorthM, heightM};
     }
 
-    /// Grid coordinates (column, row) under or above `local`, along the ellipsoid's normal there (planar: along z):
-    /// positionAt(gridAt(p), h) = p for the height h of p. Points beyond the tile are extrapolated.
+    /// Grid coordinates (column, row) under or above `local`, along the ellipsoid's normal there (planar:
+    /// along z): positionAt(gridAt(p), h) = p for the height h of p. Points beyond the tile are extrapolated.
     glm::dvec2 gridAt(const glm::dvec3& local) const;
 
     /// Height of a local position: positionAt(gridAt(p), heightOf(p)) = p.
     double heightOf(const glm::dvec3& local) const;
 
-    /// Approximate grid coordinates at which a vertical line meets the ground: the start of a search. Curved: off by the effects
-    /// of height and of the third order of the Earth's curvature, less than a sample in tiles of up to 100 km; planar: exact.
+    /// Approximate grid coordinates at which a vertical line meets the ground: the start of a search. Curved:
+    /// off by the effects of height and of the third order of the Earth's curvature, less than a sample in
+    /// tiles of up to 100 km; planar: exact.
     /// Cost: about 30 flops.
     glm::dvec2 gridNear(const glm::dvec2& local) const
     {
         return _lattice ? _plan.gridNear(local) : glm::dvec2(local.x / _pointEastM, local.y / _pointNorthM);
     }
 
-    /// Grid coordinates to first order about the tile's middle: linear · local + offset. Off by far less than 2^15 points in tiles
-    /// of up to 200 km: enough to tell a vertex's grid point from its lower 16 bits (MeshVertex).
+    /// Grid coordinates to first order about the tile's middle: linear · local + offset. Off by far less than
+    /// 2^15 points in tiles of up to 200 km: enough to tell a vertex's grid point from its lower 16 bits
+    /// (MeshVertex).
     struct GridMap
     {
         glm::dmat2 linear;
@@ -76,8 +78,8 @@ public:
     };
     GridMap gridMap() const;
 
-    /// Step in which the positions of drawn vertices are counted (MeshVertex): a power of two such that 31 bits reach 20 km
-    /// beyond every sample; 0.06 mm on a tile of 60 km.
+    /// Step in which the positions of drawn vertices are counted (MeshVertex): a power of two such that 31
+    /// bits reach 20 km beyond every sample; 0.06 mm on a tile of 60 km.
     double vertexStepM() const { return _vertexStepM; }
 
     /// Conversions between the local frame and WGS84. Curved frames alone (asserted).

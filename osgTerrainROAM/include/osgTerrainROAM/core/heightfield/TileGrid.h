@@ -9,10 +9,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// The grid of a tile is a square of 2^N+1 by 2^N+1 points: the vertices that its bintree can have. Points have integer
-/// coordinates: column 0 is the westernmost, row 0 the southernmost. The data fill the south-western part.
-/// The raster's samples lie on every point, or (exponent) on every 2^exponent-th column and row: edits and dense parts put samples
-/// between them.
+/// The grid of a tile is a square of 2^N+1 by 2^N+1 points: the vertices that its bintree can have. Points
+/// have integer coordinates: column 0 is the westernmost, row 0 the southernmost. The data fill the
+/// south-western part. The raster's samples lie on every point, or (exponent) on every 2^exponent-th column
+/// and row: edits and dense parts put samples between them.
 /// Threads: immutable.
 class TileGrid
 {

@@ -16,9 +16,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// The samples of a tile: height, and error and radius of the bintree vertex (ErrorTree), by grid point. Those of the raster lie in a
-/// table, those of denser parts in sheets over it, and those that edits have put anywhere among the fine samples. A point without
-/// a sample lies on the surface of the samples around it and has no error. Points beyond the data repeat the edge's height.
+/// The samples of a tile: height, and error and radius of the bintree vertex (ErrorTree), by grid point.
+/// Those of the raster lie in a table, those of denser parts in sheets over it, and those that edits have put
+/// anywhere among the fine samples. A point without a sample lies on the surface of the samples around it and
+/// has no error. Points beyond the data repeat the edge's height.
 /// Threads: const from any, while nobody writes. Memory: SampleTable, SampleSheet, FineSamples, SampleMask.
 class TileSamples
 {
@@ -33,7 +34,8 @@ public:
     const std::vector<SampleSheet>& sheets() const { return _sheets; }
     const FineSamples& fineSamples() const { return _fine; }
 
-    /// Height, error and radius at a point of the data. Without a sample there: the height of the surface, and zeros.
+    /// Height, error and radius at a point of the data. Without a sample there: the height of the surface,
+    /// and zeros.
     Sample sample(int column, int row) const
     {
         Sample sample;
@@ -65,8 +67,8 @@ public:
     /// Tells whether the data have holes, or an outline that is not a rectangle.
     bool hasHoles() const { return !_mask.hasAll(); }
 
-    /// Tells whether the ground reaches a point of the data: a sample that is there, or a point on one of the raster's finest
-    /// triangles whose three corners are there.
+    /// Tells whether the ground reaches a point of the data: a sample that is there, or a point on one of the
+    /// raster's finest triangles whose three corners are there.
     bool isGround(int column, int row) const
     {
         if (!hasHoles()) [[likely]]
@@ -99,15 +101,16 @@ public:
         return isMeasured(column, row) || hasFineSample(column, row);
     }
 
-    /// Grid points from the sample at a point to the next: of the raster, or of a sheet; 1 for an edit's sample.
+    /// Grid points from the sample at a point to the next: of the raster, or of a sheet; 1 for an edit's
+    /// sample.
     int sampleStep(int column, int row) const
     {
         if (const SampleSheet* sheet = sheetAt(column, row)) return sheet->step();
         return _grid.isOfRaster(column, row) ? _grid.cellSide() : 1;
     }
 
-    /// Calls visit(column, row) for every point of a rectangle within the data that has a sample, or counts among the samples
-    /// (count). May visit a point twice.
+    /// Calls visit(column, row) for every point of a rectangle within the data that has a sample, or counts
+    /// among the samples (count). May visit a point twice.
     template<class Visit>
     void forEachSample(const GridRect& rect, const Visit& visit) const
     {
@@ -122,20 +125,23 @@ public:
         if (!_fine.isEmpty()) _fine.forEachIn(cut, visit);
     }
 
-    /// Gives a sample of the raster, or of a sheet, another height: the surface between the samples follows. The height is kept
-    /// exactly; where the table cannot, the surface follows to the table's nearest step.
+    /// Gives a sample of the raster, or of a sheet, another height: the surface between the samples follows.
+    /// The height is kept exactly; where the table cannot, the surface follows to the table's nearest step.
     void setSampleHeight(int column, int row, float heightM);
 
-    /// Puts a sample at a point of the data, or replaces the one there; the surface of the raster around it stays as it is.
+    /// Puts a sample at a point of the data, or replaces the one there; the surface of the raster around it
+    /// stays as it is.
     void setFineHeight(int column, int row, float heightM);
 
-    /// Replaces a chunk of fine samples. Precondition: those of them at points of the raster are marked as elsewhere.
+    /// Replaces a chunk of fine samples. Precondition: those of them at points of the raster are marked as
+    /// elsewhere.
     void setFineChunk(int column, int row, const FineSamples::Chunk& samples)
     {
         _fine.setChunk(column, row, samples);
     }
 
-    /// Counts a point among the samples, although its height goes on following the surface. Does nothing where a sample is.
+    /// Counts a point among the samples, although its height goes on following the surface. Does nothing
+    /// where a sample is.
     void count(int column, int row);
 
     /// All that is kept of a point of the data, for restore().

@@ -23,7 +23,8 @@ struct VerticalHit
     bool isInside() const { return std::min({barycentric.x, barycentric.y, barycentric.z}) >= -kEdgeSlack; }
 };
 
-/// Intersects. `p`: positions of the corners; `g`: their grid coordinates; `target`: the line's east and north.
+/// Intersects. `p`: positions of the corners; `g`: their grid coordinates; `target`: the line's east and
+/// north.
 inline VerticalHit verticalHit(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec2, 3>& g,
                                const glm::dvec2& target)
 {

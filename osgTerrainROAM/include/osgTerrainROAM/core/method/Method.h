@@ -76,11 +76,12 @@ struct MethodRequest
     bool limitsTime = false;
 };
 
-/// Checks that a method can do what is asked of it. Errors name the first thing that it cannot; the place is "`owner`.method".
+/// Checks that a method can do what is asked of it. Errors name the first thing that it cannot; the place is
+/// "`owner`.method".
 foundation::Outcome checkMethod(const MethodRequest& request, const std::string& owner);
 
-/// Checks that a method can draw a tile. Errors: the tile has holes, or samples between those of its raster. Threads: with a shared
-/// lock of the tile, if it is edited.
+/// Checks that a method can draw a tile. Errors: the tile has holes, or samples between those of its raster.
+/// Threads: with a shared lock of the tile, if it is edited.
 foundation::Outcome checkMethod(Method method, const RoamTile& tile, const std::string& owner);
 
 } // namespace osgTerrainROAM::core

@@ -15,21 +15,24 @@ namespace osgTerrainROAM::core
 
 class SheetErrors;
 
-/// Grid points whose heights may have changed: those of a rectangle whose coordinates are multiples of `step`.
+/// Grid points whose heights may have changed: those of a rectangle whose coordinates are multiples of
+/// `step`.
 struct ChangedPlaces
 {
     GridRect rect;
     int step = 1;
 };
 
-/// Brings the errors and radii of a tile up to date after heights have changed, level by level from the finest.
-/// It visits the vertices whose diamonds touch changed samples, and the ancestors of changed bounds. A diamond of at most
-/// kScanFactor times as many samples as have changed is measured again: its error is exact. A larger diamond gets a bound that
-/// costs no scan: the smaller of (old error + largest movement of a corner) and (largest error of its children + distance of its
-/// vertex from its base edge). Such vertices are noted as loose; tighten() measures them.
-/// Invariant: bounds are nested, and no error is less than the exact one. Cost: some 20 visits of each changed sample and its
-/// surroundings, whatever the size of the tile.
-/// Source: Lindstrom & Pascucci, *Visualization of Large Terrains Made Easy*, 2001 (nested errors and radii); the update is ours.
+/// Brings the errors and radii of a tile up to date after heights have changed, level by level from the
+/// finest. It visits the vertices whose diamonds touch changed samples, and the ancestors of changed bounds.
+/// A diamond of at most kScanFactor times as many samples as have changed is measured again: its error is
+/// exact. A larger diamond gets a bound that costs no scan: the smaller of (old error + largest movement of a
+/// corner) and (largest error of its children + distance of its vertex from its base edge). Such vertices are
+/// noted as loose; tighten() measures them.
+/// Invariant: bounds are nested, and no error is less than the exact one. Cost: some 20 visits of each
+/// changed sample and its surroundings, whatever the size of the tile.
+/// Source: Lindstrom & Pascucci, *Visualization of Large Terrains Made Easy*, 2001 (nested errors and radii);
+/// the update is ours.
 class BoundsUpdate
 {
 public:
@@ -44,16 +47,16 @@ public:
 
     explicit BoundsUpdate(RoamTile& tile) : _tile(tile) {}
 
-    /// Follows heights that have changed by up to `movedM`; points beyond the edge of the data follow the edge. Returns the vertices
-    /// whose bounds have changed.
+    /// Follows heights that have changed by up to `movedM`; points beyond the edge of the data follow the
+    /// edge. Returns the vertices whose bounds have changed.
     std::vector<Change> follow(std::span<const ChangedPlaces> changed, double movedM);
 
-    /// Extends errors and radii over the new samples of the tile's sheets. No vertex of the raster has moved. `added`: the sheets'
-    /// rectangles.
+    /// Extends errors and radii over the new samples of the tile's sheets. No vertex of the raster has moved.
+    /// `added`: the sheets' rectangles.
     void admit(std::span<const ChangedPlaces> added);
 
-    /// Measures loose vertices, the finest first, until `mostSamples` samples have been read; one vertex at least. Returns the same
-    /// as follow().
+    /// Measures loose vertices, the finest first, until `mostSamples` samples have been read; one vertex at
+    /// least. Returns the same as follow().
     std::vector<Change> tighten(std::size_t mostSamples);
 
 private:

@@ -13,15 +13,18 @@
 namespace osgTerrainROAM::core
 {
 
-/// The queue of split vertices whose decision has to be checked again: it hands each out when its margin may be used up.
-/// The decision f_v of a vertex changes by no more than the eye travels plus e_v times the change of the scale K/τ, so it holds
-/// while that sum is below the margin |f_v|. There is one clock per octave of e: it advances by the travel and by the octave's
-/// upper end times the change of scale. A watch is due when its octave's clock has advanced by its margin, rounded down: to a
-/// tick, and for a long margin by up to an eighth.
-/// Each octave has a timing wheel of levels, each four times as coarse as the one before; entries never move between levels.
-/// The wheel stores numbers only: a cancelled watch is still handed out, and its owner recognises it by its mark.
+/// The queue of split vertices whose decision has to be checked again: it hands each out when its margin may
+/// be used up. The decision f_v of a vertex changes by no more than the eye travels plus e_v times the change
+/// of the scale K/τ, so it holds while that sum is below the margin |f_v|. There is one clock per octave of
+/// e: it advances by the travel and by the octave's upper end times the change of scale. A watch is due when
+/// its octave's clock has advanced by its margin, rounded down: to a tick, and for a long margin by up to an
+/// eighth. Each octave has a timing wheel of levels, each four times as coarse as the one before; entries
+/// never move between levels.
+/// The wheel stores numbers only: a cancelled watch is still handed out, and its owner recognises it by its
+/// mark.
 /// Memory: 4 B per watch, in blocks of 64 B. Cost: O(1) for a watch, a few words per octave for a step.
-/// Source: Varghese & Lauck, *Hashed and hierarchical timing wheels*, 1987; without cascades, as the timers of Linux since 4.8.
+/// Source: Varghese & Lauck, *Hashed and hierarchical timing wheels*, 1987; without cascades, as the timers
+/// of Linux since 4.8.
 class DeferralWheel
 {
 public:
@@ -30,8 +33,8 @@ public:
     /// `tickM`: watches with a smaller margin are due at the next step.
     explicit DeferralWheel(double tickM);
 
-    /// Adds `watch` (any number), due when its margin is used up; with a negative margin, at the next step. Returns the mark that
-    /// it will be handed out with.
+    /// Adds `watch` (any number), due when its margin is used up; with a negative margin, at the next step.
+    /// Returns the mark that it will be handed out with.
     Mark add(std::uint32_t watch, float errorM, double marginM);
 
     /// A batch of due watches, and the marks that add() returned for them.
@@ -43,8 +46,9 @@ public:
         std::uint32_t count = 0;
     };
 
-    /// Advances the clocks after the eye has travelled and the scale K/τ has changed: watches whose margin may be used up become
-    /// due, those with larger errors first, after those that are due already. Cost: that of the buckets, not of their entries.
+    /// Advances the clocks after the eye has travelled and the scale K/τ has changed: watches whose margin
+    /// may be used up become due, those with larger errors first, after those that are due already. Cost:
+    /// that of the buckets, not of their entries.
     void advance(double travelM, double scaleChange);
 
     /// Fills a batch with the next due watches; it is empty when there are no more.

@@ -11,16 +11,17 @@
 namespace osgTerrainROAM::core
 {
 
-/// The links of a triangle bintree that is stored by its diamonds: from a triangle to its children, parents and neighbours.
-/// A vertex in the middle of a base has split the two triangles on either side. The four triangles around it (two at the
-/// border) are the quadrants of its diamond. Each quadrant is a leaf, or is split by a vertex one level finer, which it
-/// shares with a quadrant of the neighbouring diamond. So 32 B a vertex hold the whole bintree: positions, neighbours and
-/// corners follow from a few links.
-/// Corners of a diamond, counter-clockwise: apex of one split triangle, its left, apex of the other, its right. Quadrant
-/// i lies between corners i and i + 1.
+/// The links of a triangle bintree that is stored by its diamonds: from a triangle to its children, parents
+/// and neighbours. A vertex in the middle of a base has split the two triangles on either side. The four
+/// triangles around it (two at the border) are the quadrants of its diamond. Each quadrant is a leaf, or is
+/// split by a vertex one level finer, which it shares with a quadrant of the neighbouring diamond. So 32 B a
+/// vertex hold the whole bintree: positions, neighbours and corners follow from a few links. Corners of a
+/// diamond, counter-clockwise: apex of one split triangle, its left, apex of the other, its right. Quadrant i
+/// lies between corners i and i + 1.
 /// The functions are inline: refinement spends most of its time in them. Only DiamondTree changes the links.
-/// Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 4 (diamonds of a triangle bintree). Differs: the vertices
-/// with their diamonds are stored, not the triangles (docs/decisions/0010-diamonds-instead-of-triangles.md).
+/// Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 4 (diamonds of a triangle bintree). Differs:
+/// the vertices with their diamonds are stored, not the triangles
+/// (docs/decisions/0010-diamonds-instead-of-triangles.md).
 class DiamondLinks
 {
 public:
@@ -70,12 +71,13 @@ public:
     /// The ends of the base in whose middle a vertex lies.
     std::array<VertexSlot, 2> baseEnds(VertexSlot v) const { return {corner(v, 1), corner(v, 3)}; }
 
-    /// The neighbour of a leaf across its base; none at the border. It has the same level (and, split or not, is the
-    /// partner in the diamond) or is a coarser leaf.
+    /// The neighbour of a leaf across its base; none at the border. It has the same level (and, split or not,
+    /// is the partner in the diamond) or is a coarser leaf.
     TriangleId acrossBase(TriangleId t) const
     {
         if (t.apex() < kCorners) return kRoots[t == kRoots[0] ? 1 : 0];
-        // The base ends at one of the diamond's parents. The neighbour is at that parent, too, one quadrant further.
+        // The base ends at one of the diamond's parents. The neighbour is at that parent, too, one quadrant
+        // further.
         const unsigned slot = detail::parentOnEdge(t.quadrant());
         const VertexSlot parent = _diamonds[t.apex()].parents[slot / 2];
         const unsigned mine = _places[t.apex()].parentQuadrant(slot);
@@ -111,7 +113,8 @@ protected:
     std::uint32_t& link(TriangleId t) { return _diamonds[t.apex()].links[t.quadrant()]; }
     VertexSlot corner(VertexSlot v, unsigned index) const;
 
-    /// The point at `scale` / 4 of the way from the apex to the middle of the base. Units: quarters of samples.
+    /// The point at `scale` / 4 of the way from the apex to the middle of the base. Units: quarters of
+    /// samples.
     GridPoint towardsMiddle(TriangleId t, int scale) const
     {
         const DiamondPlace& apex = _places[t.apex()];

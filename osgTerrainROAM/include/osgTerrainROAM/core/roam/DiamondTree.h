@@ -16,18 +16,18 @@ namespace osgTerrainROAM::core
 {
 
 /// The triangle bintree of one tile, and the operations that keep its leaves a conforming mesh.
-/// DiamondLinks stores it; this class adds the bounds of the tile, the arena of the drawn leaves (16 B a leaf), the
-/// displacements of morphing, and the record of what changed.
+/// DiamondLinks stores it; this class adds the bounds of the tile, the arena of the drawn leaves (16 B a
+/// leaf), the displacements of morphing, and the record of what changed.
 /// Invariant: isConforming() after every public operation. Operations allocate only to grow a pool.
-/// Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 4 (split, forced split, merge of diamonds); *Methods of
-/// continuous level of detail for terrain* (Graphicon 2002), section 5.2 (enhMerge).
+/// Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 4 (split, forced split, merge of diamonds);
+/// *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (enhMerge).
 class DiamondTree : public DiamondLinks
 {
 public:
     explicit DiamondTree(SplitBounds bounds, LeafPlacement placement = LeafPlacement::inOrder);
 
-    /// Splits leaf `t` and its base neighbour; splits first the coarser leaves that this needs. Returns the number of
-    /// triangles split. Precondition: canSplit(t).
+    /// Splits leaf `t` and its base neighbour; splits first the coarser leaves that this needs. Returns the
+    /// number of triangles split. Precondition: canSplit(t).
     std::uint32_t forceSplit(TriangleId t);
 
     /// Counts the triangles that forceSplit(t) would split.
@@ -45,13 +45,14 @@ public:
     /// Removes vertex `v`, whose quadrants are leaves: its diamond merges.
     void merge(VertexSlot v);
 
-    /// Removes `v` after all its descendants, one diamond after the other. Returns the number of triangles merged. It is the
-    /// reference that enhMerge() is measured against.
+    /// Removes `v` after all its descendants, one diamond after the other. Returns the number of triangles
+    /// merged. It is the reference that enhMerge() is measured against.
     std::uint32_t forceMerge(VertexSlot v);
 
-    /// Makes both triangles that `v` has split leaves in one step (the paper's enhMerge). Removes their subtrees and,
-    /// outwards, the subtree of every triangle whose base has lost its middle. Leaves the same mesh as forceMerge().
-    /// Returns the number of triangles merged. Cost: one visit per removed vertex. See docs/decisions/0009.
+    /// Makes both triangles that `v` has split leaves in one step (the paper's enhMerge). Removes their
+    /// subtrees and, outwards, the subtree of every triangle whose base has lost its middle. Leaves the same
+    /// mesh as forceMerge(). Returns the number of triangles merged. Cost: one visit per removed vertex. See
+    /// docs/decisions/0009.
     std::uint32_t enhMerge(VertexSlot v);
 
     bool canSplit(TriangleId t) const { return isLeaf(t) && level(t) < _levels; }
@@ -61,9 +62,10 @@ public:
     /// Of the vertex that splits `t`; precondition as middle().
     SplitBound bound(TriangleId t) const { return _bounds.bound(middle(t)); }
 
-    /// Whether children(t) come in the reverse of the order in which the leaves of a region are kept. That order visits all
-    /// leaves below one half before all below the other, the half with the right corner first on every other level. So the
-    /// curve enters and leaves at the ends of the base, and each leaf shares an edge with the one before (Sierpinski's curve).
+    /// Whether children(t) come in the reverse of the order in which the leaves of a region are kept. That
+    /// order visits all leaves below one half before all below the other, the half with the right corner
+    /// first on every other level. So the curve enters and leaves at the ends of the base, and each leaf
+    /// shares an edge with the one before (Sierpinski's curve).
     bool isAgainstOrder(TriangleId t) const { return level(t) % 2 != 0; }
 
     /// What the mesh has at a point of the grid: a vertex, or the leaves that such a vertex would split.
@@ -75,8 +77,9 @@ public:
     };
     AtPlace atPlace(GridPoint p) const; // DiamondTreePlaces.cpp
 
-    /// Calls visit(vertex, leaf) for every vertex of the mesh in a rectangle of the grid, corners of the tile included, and
-    /// for every leaf that touches it; the other argument is kNone, or a triangle that does not exist.
+    /// Calls visit(vertex, leaf) for every vertex of the mesh in a rectangle of the grid, corners of the tile
+    /// included, and for every leaf that touches it; the other argument is kNone, or a triangle that does not
+    /// exist.
     void forEachIn(const GridRect& rect, const std::function<void(VertexSlot, TriangleId)>& visit) const;
 
     /// Records that an edit of the tile has moved a vertex.
@@ -85,7 +88,8 @@ public:
 
     MeshVertex vertex(VertexSlot v) const;
 
-    /// The position of a vertex's sample; displacement: from there to where it is drawn (Morph.h). Units: metres.
+    /// The position of a vertex's sample; displacement: from there to where it is drawn (Morph.h). Units:
+    /// metres.
     glm::dvec3 samplePosition(VertexSlot v) const
     {
         const GridPoint p = _places[v].point();
@@ -97,7 +101,8 @@ public:
     }
     glm::dvec3 position(VertexSlot v) const { return samplePosition(v) + glm::dvec3(displacement(v)); }
 
-    /// Displace vertices; the changes record which have moved. After an operation every vertex has to be displaced anew.
+    /// Displace vertices; the changes record which have moved. After an operation every vertex has to be
+    /// displaced anew.
     void startDisplacing() { _displacements.resize(_places.size()); }
     void displace(VertexSlot v, const glm::vec3& metres)
     {
@@ -131,8 +136,8 @@ public:
     const SplitBounds& bounds() const { return _bounds; }
     std::size_t memoryBytes() const;
 
-    /// Checks exhaustively: links mutual, positions and levels right, neighbours sharing whole edges, areas adding up to the
-    /// tile, no T-junction, pools consistent. For tests: O(n log n).
+    /// Checks exhaustively: links mutual, positions and levels right, neighbours sharing whole edges, areas
+    /// adding up to the tile, no T-junction, pools consistent. For tests: O(n log n).
     bool isConforming() const;
 
 private:

@@ -20,13 +20,14 @@ struct DrawnGround
     TriangleId leaf;
 };
 
-/// Finds the *drawn* surface vertically above or below a local position; nothing beyond the edge of the data. groundAt() finds
-/// the *true* surface.
-/// Frame: the tile's. Units: metres. Cost: O(depth of the mesh). Threads: any, while no operation changes the tree.
+/// Finds the *drawn* surface vertically above or below a local position; nothing beyond the edge of the data.
+/// groundAt() finds the *true* surface.
+/// Frame: the tile's. Units: metres. Cost: O(depth of the mesh). Threads: any, while no operation changes the
+/// tree.
 std::optional<DrawnGround> drawnGroundAt(const DiamondTree& tree, double eastM, double northM);
 
-/// Does the same for many positions (east, north), and writes as many `grounds`. It follows several paths down the tree at
-/// once, so that one does not wait for another's memory.
+/// Does the same for many positions (east, north), and writes as many `grounds`. It follows several paths
+/// down the tree at once, so that one does not wait for another's memory.
 void drawnGroundAt(const DiamondTree& tree, std::span<const glm::dvec2> places,
                    std::span<std::optional<DrawnGround>> grounds);
 

@@ -13,10 +13,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// The drawn mesh of any method, for queries: what is drawn at a place, and how far that is from the truth. drawnGroundAt() answers for
-/// ROAM's tree without making anything.
-/// Frame: the tile's. Units: metres. Memory: the mesh, and 4 B for each triangle and square of 16 cells that it touches. Cost of making:
-/// linear in the triangles. Threads: const from any.
+/// The drawn mesh of any method, for queries: what is drawn at a place, and how far that is from the truth.
+/// drawnGroundAt() answers for ROAM's tree without making anything.
+/// Frame: the tile's. Units: metres. Memory: the mesh, and 4 B for each triangle and square of 16 cells that
+/// it touches. Cost of making: linear in the triangles. Threads: const from any.
 class DrawnSurface
 {
 public:
@@ -31,7 +31,8 @@ public:
         LeafTriangle triangle;
     };
 
-    /// Finds the surface vertically above or below a place; of parts that overlap, the uppermost. Nothing beyond the edge of the data.
+    /// Finds the surface vertically above or below a place; of parts that overlap, the uppermost. Nothing
+    /// beyond the edge of the data.
     /// Cost: the triangles of a square of 16 cells, and the samples in the one that is found.
     std::optional<Ground> at(double eastM, double northM) const;
 

@@ -63,8 +63,9 @@ struct GridTriangle
         return b.u >= 0.0 && b.w >= 0.0 && b.u + b.w <= 1.0;
     }
 
-    /// Calls visit(row, west, east) for every row that the triangle touches within `columns` × `rows` points; the points
-    /// west…east, borders included, lie in it. Visits only rows and columns that are multiples of `step`, a power of two.
+    /// Calls visit(row, west, east) for every row that the triangle touches within `columns` × `rows` points;
+    /// the points west…east, borders included, lie in it. Visits only rows and columns that are multiples of
+    /// `step`, a power of two.
     template<class Visit>
     void forEachRow(int columns, int rows, const Visit& visit, int step = 1) const
     {
@@ -82,8 +83,9 @@ struct GridTriangle
         }
     }
 
-    /// The coordinates of a point p of the plane: p = apex + u·(left − apex) + w·(right − apex). The legs are perpendicular and of
-    /// one length, so (u, w) are dot products divided by its square: a power of two, exact in binary.
+    /// The coordinates of a point p of the plane: p = apex + u·(left − apex) + w·(right − apex). The legs are
+    /// perpendicular and of one length, so (u, w) are dot products divided by its square: a power of two,
+    /// exact in binary.
     struct Barycentric
     {
         double u, w;
@@ -124,8 +126,8 @@ private:
     }
 };
 
-/// The two triangles that cover a tile of side × side samples: their common base is the diagonal from south-west to
-/// north-east, and each is the other rotated about its middle.
+/// The two triangles that cover a tile of side × side samples: their common base is the diagonal from
+/// south-west to north-east, and each is the other rotated about its middle.
 inline std::array<GridTriangle, 2> rootTriangles(int side)
 {
     const int last = side - 1;

@@ -18,11 +18,12 @@ struct GroundHit
     glm::dvec3 normal; ///< of the full-resolution triangle, unit length, pointing up
 };
 
-/// Finds the first point where the ray from `origin` along `direction` (unit length) meets the *true* surface, from either
-/// side, within `maxDistanceM`; nothing beyond the edge of the data.
-/// No sample below a triangle of the bintree is farther from it than e_v, so the surface lies in the triangle thickened by e_v:
+/// Finds the first point where the ray from `origin` along `direction` (unit length) meets the *true*
+/// surface, from either side, within `maxDistanceM`; nothing beyond the edge of the data. No sample below a
+/// triangle of the bintree is farther from it than e_v, so the surface lies in the triangle thickened by e_v:
 /// the search descends only into triangles whose thickened form the ray meets.
-/// Frame: the tile's. Cost: depends on the triangles near the ray, not on the size of the tile. Threads: const, any.
+/// Frame: the tile's. Cost: depends on the triangles near the ray, not on the size of the tile. Threads:
+/// const, any.
 std::optional<GroundHit> hitGround(const RoamTile& tile, const glm::dvec3& origin,
                                    const glm::dvec3& direction, double maxDistanceM);
 

@@ -19,18 +19,19 @@ enum class LeafPlacement
     nearby,  ///< where there is a gap close by: fewer slots are written
 };
 
-/// The table of the leaves by their slots in the index buffer. Every region of the tree keeps its leaves in arenas of up to 64
-/// slots, so that a draw call can omit the regions that no camera sees. Within a region they lie in the order of the bintree, so
-/// that each leaf shares an edge with the one before.
-/// Arenas have gaps, drawn as triangles without extent. When a leaf splits, its two halves take its slot and the nearest gap of
-/// the arena, and those between move up by one. A full arena moves to twice its size; an arena of 64 slots gives half of its
-/// leaves to a new one behind it. Each half is spread evenly. An arena with few leaves joins a neighbour, or moves to half its
-/// size. LeafPlacement::nearby neither moves nor spreads leaves: the gaps are at the arena's end.
-/// The caller of split, insert and erase keeps the slots of the leaves, and has to read again those in the changes.
+/// The table of the leaves by their slots in the index buffer. Every region of the tree keeps its leaves in
+/// arenas of up to 64 slots, so that a draw call can omit the regions that no camera sees. Within a region
+/// they lie in the order of the bintree, so that each leaf shares an edge with the one before. Arenas have
+/// gaps, drawn as triangles without extent. When a leaf splits, its two halves take its slot and the nearest
+/// gap of the arena, and those between move up by one. A full arena moves to twice its size; an arena of 64
+/// slots gives half of its leaves to a new one behind it. Each half is spread evenly. An arena with few
+/// leaves joins a neighbour, or moves to half its size. LeafPlacement::nearby neither moves nor spreads
+/// leaves: the gaps are at the arena's end. The caller of split, insert and erase keeps the slots of the
+/// leaves, and has to read again those in the changes.
 /// Invariant: isConsistent(). Memory: 6 B per slot.
-/// Source: Bayer & McCreight, *Organization and maintenance of large ordered indexes*, 1972 (leaves of a B-tree split and join);
-/// Itai, Konheim & Rodeh, *A sparse table implementation of priority queues*, 1981 (gaps in an ordered array).
-/// See docs/decisions/0011.
+/// Source: Bayer & McCreight, *Organization and maintenance of large ordered indexes*, 1972 (leaves of a
+/// B-tree split and join); Itai, Konheim & Rodeh, *A sparse table implementation of priority queues*, 1981
+/// (gaps in an ordered array). See docs/decisions/0011.
 class LeafArena
 {
 public:
@@ -53,8 +54,8 @@ public:
         changes.triangles.push_back(slot);
     }
 
-    /// Erase many leaves: cutOut() each, then fillGap() for each new leaf of the same region, then closeGaps(). No leaf moves
-    /// before closeGaps().
+    /// Erase many leaves: cutOut() each, then fillGap() for each new leaf of the same region, then
+    /// closeGaps(). No leaf moves before closeGaps().
     void cutOut(std::uint32_t slot)
     {
         const std::uint32_t index = arenaAt(slot);
@@ -80,7 +81,8 @@ public:
     std::uint32_t regionCount() const { return static_cast<std::uint32_t>(_firstArena.size()); }
     std::uint32_t regionOf(std::uint32_t slot) const { return _arenas[arenaAt(slot)].region; }
 
-    /// Appends the slots to draw for a region, gaps included, in its order. Returns the number of leaves in it.
+    /// Appends the slots to draw for a region, gaps included, in its order. Returns the number of leaves in
+    /// it.
     std::uint32_t appendRanges(std::uint32_t region, std::vector<TriangleRange>& ranges) const;
 
     /// Calls visit(leaf) for the leaves of a region, in its order.

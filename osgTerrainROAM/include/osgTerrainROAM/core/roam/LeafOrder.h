@@ -25,8 +25,9 @@ struct LeafOrder
     double gaps = 0.0;          ///< triangles without extent, sent besides
 };
 
-/// Simulates draw calls on models of vertex caches and strips; each call begins with an empty cache. A triangle whose corners
-/// are one vertex is a gap: it sends that vertex, but neither counts nor breaks a strip.
+/// Simulates draw calls on models of vertex caches and strips; each call begins with an empty cache. A
+/// triangle whose corners are one vertex is a gap: it sends that vertex, but neither counts nor breaks a
+/// strip.
 /// Memory: 20 B per vertex. Cost: some 20 ns a triangle. Source: VertexCache.h.
 class LeafOrderMeter
 {
@@ -40,8 +41,8 @@ public:
     LeafOrder result() const;
 
 private:
-    /// The last triangle of the strip: the edge shared with the one before (older vertex first, once that is known) and its new
-    /// vertex.
+    /// The last triangle of the strip: the edge shared with the one before (older vertex first, once that is
+    /// known) and its new vertex.
     struct Strip
     {
         std::uint32_t older = kNone, newer = kNone, newest = kNone;

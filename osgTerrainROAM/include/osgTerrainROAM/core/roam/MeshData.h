@@ -18,7 +18,8 @@ inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max()
 /// A vertex of the mesh, and the diamond around it, by its slot in the pool.
 using VertexSlot = std::uint32_t;
 
-/// A triangle of the bintree by its apex: one of the quadrants, counter-clockwise, of the diamond around that vertex.
+/// A triangle of the bintree by its apex: one of the quadrants, counter-clockwise, of the diamond around that
+/// vertex.
 class TriangleId
 {
 public:
@@ -34,8 +35,9 @@ private:
     std::uint32_t _value = kNone;
 };
 
-/// One vertex in the format of the graphics card. The position counts steps of TileFrame::vertexStepM(), so that a shader can
-/// subtract the eye (counted the same way) exactly: at 100 km from the origin a float resolves 8 mm only.
+/// One vertex in the format of the graphics card. The position counts steps of TileFrame::vertexStepM(), so
+/// that a shader can subtract the eye (counted the same way) exactly: at 100 km from the origin a float
+/// resolves 8 mm only.
 /// Frame: the tile's local frame. Units: steps; columns and rows of the grid.
 struct MeshVertex
 {
@@ -74,7 +76,8 @@ struct DrawnMesh
     bool isMorphed = false;              ///< vertices need not lie where their samples are
     std::vector<bool> sunk = {};         ///< by vertex: it hangs below its sample; empty: none does
 
-    /// Whether parts of the mesh lie under others: what is seen at a place is the uppermost, and edges of parts hang under others.
+    /// Whether parts of the mesh lie under others: what is seen at a place is the uppermost, and edges of
+    /// parts hang under others.
     bool overlaps() const { return !sunk.empty(); }
     bool isSunk(const LeafTriangle& t) const
     {
@@ -119,8 +122,8 @@ struct MeshChanges
     }
 };
 
-/// Sorts slots and joins them into ranges. Gaps of up to `maxGap` untouched elements are bridged: a few bytes more are
-/// cheaper than another call.
+/// Sorts slots and joins them into ranges. Gaps of up to `maxGap` untouched elements are bridged: a few bytes
+/// more are cheaper than another call.
 std::vector<IndexRange> joinedRanges(std::vector<std::uint32_t> slots, std::uint32_t maxGap);
 
 } // namespace osgTerrainROAM::core

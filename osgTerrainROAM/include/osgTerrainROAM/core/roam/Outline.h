@@ -7,8 +7,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Whether a triangle of the bintree is drawn when it is a leaf: more of it than its border lies in the data, and those of its
-/// corners that are in the data have a sample. On the finest level this gives the outline of the data and of their holes.
+/// Whether a triangle of the bintree is drawn when it is a leaf: more of it than its border lies in the data,
+/// and those of its corners that are in the data have a sample. On the finest level this gives the outline of
+/// the data and of their holes.
 inline bool isDrawn(const PlacedTile& tile, const GridTriangle& t)
 {
     if (!t.overlaps(tile.grid().dataColumns(), tile.grid().dataRows())) return false;
@@ -19,9 +20,9 @@ inline bool isDrawn(const PlacedTile& tile, const GridTriangle& t)
     return !isMissing(t.apex) && !isMissing(t.left) && !isMissing(t.right);
 }
 
-/// The distance by which drawing a triangle, or leaving it out, may misplace the outline: its diameter if it holds both present
-/// and missing samples, otherwise 0. The error of the vertex that splits it is no less, so the outline is within the tolerance,
-/// too. Units: metres.
+/// The distance by which drawing a triangle, or leaving it out, may misplace the outline: its diameter if it
+/// holds both present and missing samples, otherwise 0. The error of the vertex that splits it is no less, so
+/// the outline is within the tolerance, too. Units: metres.
 double outlineErrorM(const PlacedTile& tile, const GridTriangle& t);
 
 /// Whether a present sample is a corner of a drawn triangle on the finest level of the raster.

@@ -13,8 +13,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// The table of the leaves by their slots in the patches' vertex buffer. A leaf keeps its slot as long as it exists, wherever
-/// its arena moves it: a patch is written once.
+/// The table of the leaves by their slots in the patches' vertex buffer. A leaf keeps its slot as long as it
+/// exists, wherever its arena moves it: a patch is written once.
 /// Invariant: after follow(), every drawn leaf of the tree has one slot, and no other triangle has any.
 /// Memory: 16 B per vertex of the tree, 40 B per patch. Cost of following: proportional to the changes.
 class PatchPool

@@ -11,9 +11,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// The layout of the 2^k triangles of a patch: the bintree's descendants k levels below a leaf, the same for leaves of all
-/// sizes and directions. They are in the bintree's order (Sierpinski's curve), so that each shares an edge with the one before;
-/// vertices are numbered in the order of their first use. Both serve the vertex caches.
+/// The layout of the 2^k triangles of a patch: the bintree's descendants k levels below a leaf, the same for
+/// leaves of all sizes and directions. They are in the bintree's order (Sierpinski's curve), so that each
+/// shares an edge with the one before; vertices are numbered in the order of their first use. Both serve the
+/// vertex caches.
 struct PatchShape
 {
     /// A vertex: its distance from the apex towards left and right, in segments of the legs.
@@ -41,7 +42,8 @@ struct PatchShape
                                     segments};
     }
 
-    /// Appends the vertices of one leaf's patch. Those on its edges are bit-identical to those of the neighbouring patches.
+    /// Appends the vertices of one leaf's patch. Those on its edges are bit-identical to those of the
+    /// neighbouring patches.
     void appendVertices(const PlacedTile& tile, const GridTriangle& leaf, std::vector<MeshVertex>& out) const
     {
         for (const Place place : vertices)

@@ -11,8 +11,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Any triangle whose corners are points of the grid, in plan. GridTriangle is the special and quicker case of the bintree; both
-/// have the same functions, so that what visits samples takes either.
+/// Any triangle whose corners are points of the grid, in plan. GridTriangle is the special and quicker case
+/// of the bintree; both have the same functions, so that what visits samples takes either.
 /// All tests are in integers: a point on an edge lies in both triangles that share it.
 struct PlanTriangle
 {

@@ -15,9 +15,9 @@ namespace osgTerrainROAM::core
 {
 
 /// Decides whether a split vertex is active for an eye: whether its priority exceeds the tolerance, p_v > τ.
-/// The priority p_v is viewlod::screenErrorBoundPx() of the vertex's error, position and radius; here it is compared without
-/// a root or a division. The decision depends on the eye alone. Priorities nest, so the active vertices form a conforming
-/// mesh without forced splits.
+/// The priority p_v is viewlod::screenErrorBoundPx() of the vertex's error, position and radius; here it is
+/// compared without a root or a division. The decision depends on the eye alone. Priorities nest, so the
+/// active vertices form a conforming mesh without forced splits.
 /// Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (nested error and radius).
 class ActiveForEye
 {
@@ -31,8 +31,8 @@ public:
 
     bool operator()(const SplitBound& bound) const { return Terms(*this, bound).areActive(_nearM); }
 
-    /// The decision, and the margin of it: how far the eye may travel, plus e_v times the change of K/τ, before the decision
-    /// can change. Units: metres.
+    /// The decision, and the margin of it: how far the eye may travel, plus e_v times the change of K/τ,
+    /// before the decision can change. Units: metres.
     struct Verdict
     {
         bool active;
@@ -44,7 +44,8 @@ public:
         const Terms terms(*this, bound);
         const bool active = terms.areActive(_nearM);
         const double distance = std::sqrt(terms.distance2), beyond = distance - terms.limit;
-        // Both conditions have to hold: an inactive vertex stays so until the one that fails by more can hold.
+        // Both conditions have to hold: an inactive vertex stays so until the one that fails by more can
+        // hold.
         return {active,
                 active ? std::min(terms.reach - _nearM, -beyond) : std::max(_nearM - terms.reach, beyond),
                 distance - bound.radiusM};
@@ -77,7 +78,8 @@ struct ActiveForError
     bool operator()(const SplitBound& bound) const { return bound.errorM > errorM; }
 };
 
-/// The predicate compares squares where priorities divide: a tolerance that must exclude a priority is larger by this factor.
+/// The predicate compares squares where priorities divide: a tolerance that must exclude a priority is larger
+/// by this factor.
 inline constexpr double kPriorityRounding = 1.0 + 1e-12;
 
 /// The priority p_v of a split vertex. Units: pixels.

@@ -18,9 +18,10 @@ namespace osgTerrainROAM::core
 {
 
 /// The hierarchy for culling: bounding spheres of the bintree's nodes down to the region level.
-/// The sphere of a node holds every sample of its triangle, and so every refinement of it. It is fitted to the samples: the
-/// nested radii of ErrorTree, which are for refinement, are up to twice as large.
-/// Threads: immutable after construction. Memory: 40 B per node above the region level. Cost: two visits per sample.
+/// The sphere of a node holds every sample of its triangle, and so every refinement of it. It is fitted to
+/// the samples: the nested radii of ErrorTree, which are for refinement, are up to twice as large.
+/// Threads: immutable after construction. Memory: 40 B per node above the region level. Cost: two visits per
+/// sample.
 class RegionBounds
 {
 public:
@@ -38,8 +39,9 @@ public:
     /// Units: quarters of samples.
     std::uint32_t pathAt(GridPoint quarters) const { return _paths[cellQuarter(quarters)]; }
 
-    /// Appends the regions (paths at the region level) that may be visible. Plane masks are inherited: a plane that has a node
-    /// inside is not tested again below it. With a horizon, regions wholly below it are omitted.
+    /// Appends the regions (paths at the region level) that may be visible. Plane masks are inherited: a
+    /// plane that has a node inside is not tested again below it. With a horizon, regions wholly below it are
+    /// omitted.
     void visible(const viewlod::Frustum& frustum, const Horizon* horizon,
                  std::vector<std::uint32_t>& regions) const;
 
@@ -59,7 +61,8 @@ public:
 private:
     Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
     const Sphere& sphere(int level, std::uint32_t path) const { return _spheres[(2u << level) - 2u + path]; }
-    /// The index of the region at a point: at the odd region level four triangles meet in the middle of a square.
+    /// The index of the region at a point: at the odd region level four triangles meet in the middle of a
+    /// square.
     std::size_t cellQuarter(GridPoint quarters) const
     {
         const int column = quarters.column >> _cellShift, row = quarters.row >> _cellShift;
@@ -86,7 +89,8 @@ private:
 
     int _level;
     double _geoidM; ///< highest over the ellipsoid
-    int _cellShift; ///< log2 of the side, in quarters of samples, of a square that its diagonals cut into four regions
+    /// log2 of the side, in quarters of samples, of a square that its diagonals cut into four regions
+    int _cellShift;
     std::vector<std::uint16_t>
         _paths; ///< of those squares, row by row, east, north, west and south of their middles
     std::vector<Sphere> _spheres; ///< level by level, two nodes at level 0

@@ -24,13 +24,15 @@ namespace osgTerrainROAM::core
 {
 
 /// The triangulation of one terrain tile for one view group: it follows the eye from frame to frame.
-/// A vertex is *active* exactly when its priority exceeds the tolerance (ActiveForEye). Priorities nest, so the active vertices
-/// form a conforming mesh, the same for a given eye whatever came before.
-/// Three drivers adapt it (Driver), all with this predicate and to the same mesh.
-/// The tile may be edited between refinements (TileEditor); the next refinement follows.
-/// Invariant: isConforming() after every operation. Threads: one at a time; if the tile is edited, with a shared lock of its
-/// mutex. Memory: memoryBytes(), about 30 B per triangle; splits allocate only to grow a pool.
-/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5 (ROAM and its frame loop).
+/// A vertex is *active* exactly when its priority exceeds the tolerance (ActiveForEye). Priorities nest, so
+/// the active vertices form a conforming mesh, the same for a given eye whatever came before. Three drivers
+/// adapt it (Driver), all with this predicate and to the same mesh. The tile may be edited between
+/// refinements (TileEditor); the next refinement follows.
+/// Invariant: isConforming() after every operation. Threads: one at a time; if the tile is edited, with a
+/// shared lock of its mutex. Memory: memoryBytes(), about 30 B per triangle; splits allocate only to grow a
+/// pool.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5 (ROAM and its
+/// frame loop).
 class RoamMesh final : public TerrainMesh
 {
 public:
@@ -43,16 +45,18 @@ public:
     Driver driver() const { return _driver; }
 
     /// Adapts to an eye. Errors are bounded in the whole frame (ViewState::guaranteedPixelsPerTangent).
-    /// The triangle ceiling holds for the whole frame: τ rises until the mesh fits, and then follows the number of leaves, so that
-    /// they stay within 1 % (or 4) below the ceiling. (TriangleCeiling.h finds τ anew when it has to change much; the queue driver
-    /// merges the leaves of least priority.) Patches count with all their triangles; two triangles are always drawn. A lowered
-    /// ceiling is met as soon as the time slices allow. When the time slice ends, the work stops; the next call continues: the wheel
-    /// with the remaining work, the other drivers from the start.
-    /// Frame of `view`: the tile's local frame. Cost: see the drivers.
+    /// The triangle ceiling holds for the whole frame: τ rises until the mesh fits, and then follows the
+    /// number of leaves, so that they stay within 1 % (or 4) below the ceiling. (TriangleCeiling.h finds τ
+    /// anew when it has to change much; the queue driver merges the leaves of least priority.) Patches count
+    /// with all their triangles; two triangles are always drawn. A lowered ceiling is met as soon as the time
+    /// slices allow. When the time slice ends, the work stops; the next call continues: the wheel with the
+    /// remaining work, the other drivers from the start. Frame of `view`: the tile's local frame. Cost: see
+    /// the drivers.
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget) override;
 
-    /// Morphing: from the next refinement for an eye, vertices appear and disappear without a jump, and the error target holds for
-    /// the drawn surface; the mesh is refined to two thirds of it (Morph). Patches do not morph: with them it stays off.
+    /// Morphing: from the next refinement for an eye, vertices appear and disappear without a jump, and the
+    /// error target holds for the drawn surface; the mesh is refined to two thirds of it (Morph). Patches do
+    /// not morph: with them it stays off.
     void setMorphing(bool on) override { _isMorphing = on && !patches(); }
     bool isMorphing() const { return _isMorphing; }
 
@@ -62,7 +66,8 @@ public:
     /// Whether the tile has been edited since the last refinement.
     bool isBehind() const override { return _revision != tile().revision(); }
 
-    /// The data for the graphics card by slot, and the changes of the last refinement. Unused slots have any content.
+    /// The data for the graphics card by slot, and the changes of the last refinement. Unused slots have any
+    /// content.
     std::uint32_t vertexSlots() const override { return _tree.vertexSlots(); }
     std::uint32_t triangleSlots() const override { return _tree.leaves().slotCount(); }
     MeshVertex vertex(VertexSlot v) const { return _tree.place(v).isFree() ? MeshVertex{} : _tree.vertex(v); }
@@ -75,24 +80,26 @@ public:
     void appendTriangles(IndexRange slots, std::vector<LeafTriangle>& triangles) const override;
     const MeshChanges& changes() const override { return _tree.changes(); }
 
-    /// The patches, which are drawn instead of the leaves and have slots of their own; null: the leaves carry none.
+    /// The patches, which are drawn instead of the leaves and have slots of their own; null: the leaves carry
+    /// none.
     const PatchPool* patches() const override { return _patches ? &*_patches : nullptr; }
     void appendPatch(std::uint32_t slot, std::vector<MeshVertex>& vertices) const override;
     int patchExponent() const { return _tree.bounds().patchExponent(); }
 
-    /// Appends the ranges of slots (of triangles or of patches) that may be visible to `ranges`: conservative, by regions of the
-    /// tree (RegionBounds), then patch by patch. Only these ranges hold live slots; they also hold gaps, triangles without extent.
-    /// Returns the number of triangles in them, gaps not counted.
+    /// Appends the ranges of slots (of triangles or of patches) that may be visible to `ranges`:
+    /// conservative, by regions of the tree (RegionBounds), then patch by patch. Only these ranges hold live
+    /// slots; they also hold gaps, triangles without extent. Returns the number of triangles in them, gaps
+    /// not counted.
     std::uint32_t visibleRanges(const viewlod::Frustum& frustum,
                                 std::vector<IndexRange>& ranges) const override;
 
-    /// Does the same, near ranges first, so that the depth test saves hidden fragments: about half of them in hills. With a horizon
-    /// it omits ranges that are wholly below it.
+    /// Does the same, near ranges first, so that the depth test saves hidden fragments: about half of them in
+    /// hills. With a horizon it omits ranges that are wholly below it.
     std::uint32_t visibleRanges(const viewlod::Frustum& frustum, const glm::dvec3& eye,
                                 const Horizon* horizon, std::vector<IndexRange>& ranges) const override;
 
-    /// The horizon for a camera at the eye that the mesh was last refined for. None for any other eye, and where it is not
-    /// certain.
+    /// The horizon for a camera at the eye that the mesh was last refined for. None for any other eye, and
+    /// where it is not certain.
     std::optional<Horizon> horizon(const glm::dvec3& eye) const override;
 
     DrawnMesh drawn(std::span<const IndexRange> ranges) const override;

@@ -35,9 +35,9 @@ struct TileChange
 };
 
 /// The part of a terrain tile that all its views share: samples, positions, bounds.
-/// Threads: any may read while they hold a shared lock of mutex(); an editor (TileEditor) holds it exclusively. A tile that is
-/// never edited needs no lock. Memory: that of the placed tile, 32 B per culling node, and some bytes for each split vertex of
-/// triangles across the data's edge that lies beyond it.
+/// Threads: any may read while they hold a shared lock of mutex(); an editor (TileEditor) holds it
+/// exclusively. A tile that is never edited needs no lock. Memory: that of the placed tile, 32 B per culling
+/// node, and some bytes for each split vertex of triangles across the data's edge that lies beyond it.
 class RoamTile
 {
 public:
@@ -64,7 +64,8 @@ public:
         if (tile.grid().isInData(v.column, v.row)) tile.samples().prefetch(v.column, v.row);
     }
 
-    /// Rounds an error or a radius up to the least value that can be stored at a vertex; setBound() stores such values.
+    /// Rounds an error or a radius up to the least value that can be stored at a vertex; setBound() stores
+    /// such values.
     float roundedUpError(GridPoint v, double errorM) const;
     float roundedUpRadius(GridPoint v, double radiusM) const;
     void setBound(GridPoint v, float errorM, float radiusM);
@@ -88,7 +89,8 @@ public:
     /// Vertices beyond the data that have an error.
     std::vector<GridPoint> verticesBeyond() const;
 
-    /// The number of edits so far, and the changes since an earlier one, for meshes that follow. None: it is too long ago.
+    /// The number of edits so far, and the changes since an earlier one, for meshes that follow. None: it is
+    /// too long ago.
     std::uint64_t revision() const { return _revision; }
     std::optional<std::vector<const TileChange*>> changesSince(std::uint64_t revision) const;
     void note(TileChange change);

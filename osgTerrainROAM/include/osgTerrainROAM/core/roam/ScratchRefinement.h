@@ -12,13 +12,15 @@
 namespace osgTerrainROAM::core
 {
 
-/// Writes the leaves of the mesh for an eye into `leaves`, top-down and without memory of earlier frames. It is the reference
-/// that every incremental driver must equal, and must be faster than.
-/// Cost: O(leaves). Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (SOAR). Differs: exact errors.
+/// Writes the leaves of the mesh for an eye into `leaves`, top-down and without memory of earlier frames. It
+/// is the reference that every incremental driver must equal, and must be faster than.
+/// Cost: O(leaves). Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (SOAR).
+/// Differs: exact errors.
 void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view, double tolerancePx,
                        std::vector<GridTriangle>& leaves);
 
-/// Makes the mesh that leaves of the bintree draw: every one that is drawn, or its patch, with vertices of its own.
+/// Makes the mesh that leaves of the bintree draw: every one that is drawn, or its patch, with vertices of
+/// its own.
 DrawnMesh meshOfLeaves(const SplitBounds& bounds, std::span<const GridTriangle> leaves);
 
 } // namespace osgTerrainROAM::core

@@ -10,9 +10,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// Allocates blocks of 2^c slots, each at a multiple of its size; free blocks join with their neighbours (buddy system).
-/// Blocks have kSmallest to kLargest slots. Free blocks of the largest size are a stack, because large subtrees return hundreds
-/// of them. Cost: O(1) for the largest size; for others that of a set per halving or joining.
+/// Allocates blocks of 2^c slots, each at a multiple of its size; free blocks join with their neighbours
+/// (buddy system). Blocks have kSmallest to kLargest slots. Free blocks of the largest size are a stack,
+/// because large subtrees return hundreds of them. Cost: O(1) for the largest size; for others that of a set
+/// per halving or joining.
 /// Source: Knuth, *The Art of Computer Programming*, volume 1, section 2.5 (buddy system).
 class SlotBlocks
 {
@@ -20,7 +21,8 @@ public:
     static constexpr std::uint32_t kSmallestClass = 2, kSmallest = 1u << kSmallestClass;
     static constexpr std::uint32_t kLargestClass = 6, kLargest = 1u << kLargestClass;
 
-    /// Takes a block of 2^sizeClass slots from the smallest free block that is large enough, else from the end. Returns its first slot.
+    /// Takes a block of 2^sizeClass slots from the smallest free block that is large enough, else from the
+    /// end. Returns its first slot.
     std::uint32_t take(std::uint32_t sizeClass);
     void give(std::uint32_t first, std::uint32_t sizeClass);
 

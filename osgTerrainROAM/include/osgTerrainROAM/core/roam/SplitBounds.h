@@ -10,21 +10,24 @@
 namespace osgTerrainROAM::core
 {
 
-/// The bounds of every split vertex for a mesh whose leaves carry patches of 2^k triangles: the leaf's own descendants k levels
-/// further down. So the bintree ends k levels earlier, and an error is that of the patches.
-/// e_v is the largest of the tile's errors k levels below the two triangles that v splits, nested over the remaining tree.
-/// Radii are the tile's: they bound everything below, patches included. k = 0: the tile's own bounds; nothing is stored.
-/// k is even, so a patch divides all edges of its leaf into 2^(k/2) segments, and patches of neighbours of any size meet. With
-/// odd k legs and bases would be divided differently.
-/// Threads: immutable; copies share everything. Memory: 4 B for each 2^k samples. Cost of making: about 30 ns a sample.
-/// Source: Cignoni et al., *BDAM: batched dynamic adaptive meshes*, 2003 (a leaf is a patch whose edges match its neighbours').
+/// The bounds of every split vertex for a mesh whose leaves carry patches of 2^k triangles: the leaf's own
+/// descendants k levels further down. So the bintree ends k levels earlier, and an error is that of the
+/// patches. e_v is the largest of the tile's errors k levels below the two triangles that v splits, nested
+/// over the remaining tree. Radii are the tile's: they bound everything below, patches included. k = 0: the
+/// tile's own bounds; nothing is stored. k is even, so a patch divides all edges of its leaf into 2^(k/2)
+/// segments, and patches of neighbours of any size meet. With odd k legs and bases would be divided
+/// differently.
+/// Threads: immutable; copies share everything. Memory: 4 B for each 2^k samples. Cost of making: about 30 ns
+/// a sample.
+/// Source: Cignoni et al., *BDAM: batched dynamic adaptive meshes*, 2003 (a leaf is a patch whose edges match
+/// its neighbours').
 class SplitBounds
 {
 public:
     static constexpr int kMostExponent = 10;
 
-    /// `patchExponent` is reduced to an even number from 0 to kMostExponent for which the tile has levels; to 0 where the tile's
-    /// grid is finer than its raster.
+    /// `patchExponent` is reduced to an even number from 0 to kMostExponent for which the tile has levels; to
+    /// 0 where the tile's grid is finer than its raster.
     SplitBounds(std::shared_ptr<const RoamTile> tile, int patchExponent = 0);
 
     SplitBound bound(GridPoint v) const

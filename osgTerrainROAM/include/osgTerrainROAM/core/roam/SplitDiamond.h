@@ -11,8 +11,9 @@ namespace osgTerrainROAM::core
 {
 
 /// The diamond of a vertex that splits triangles of a bintree, computed from its position in the grid.
-/// A vertex lies in the middle of a square of side 2h, or in the middle of an edge of one; h is the lowest bit of its
-/// coordinates. Bases of squares join the corners whose column and row, counted in squares, have an even sum.
+/// A vertex lies in the middle of a square of side 2h, or in the middle of an edge of one; h is the lowest
+/// bit of its coordinates. Bases of squares join the corners whose column and row, counted in squares, have
+/// an even sum.
 class SplitDiamond
 {
 public:
@@ -50,7 +51,8 @@ public:
 
     std::array<GridPoint, 2> baseEnds() const { return {plus(_alongBase, 1), plus(_alongBase, -1)}; }
 
-    /// Visits the triangles that it splits, apex first, counter-clockwise: two, or one where it lies on the tile's border.
+    /// Visits the triangles that it splits, apex first, counter-clockwise: two, or one where it lies on the
+    /// tile's border.
     template<class Visit>
     void forEachTriangle(const Visit& visit) const
     {
@@ -65,7 +67,8 @@ public:
         }
     }
 
-    /// Visits the vertices one level coarser that have to be split before: the apexes, unless they are the tile's corners.
+    /// Visits the vertices one level coarser that have to be split before: the apexes, unless they are the
+    /// tile's corners.
     template<class Visit>
     void forEachParent(const Visit& visit) const
     {

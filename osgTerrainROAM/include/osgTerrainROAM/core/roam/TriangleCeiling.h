@@ -9,8 +9,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Finds the smallest τ ≥ budget.errorTolerancePx at which the mesh for `view` has at most budget.maxTriangles leaves. The
-/// result depends on bounds and eye alone; `guessPx`, the τ of the last frame or any other number, changes only the time.
+/// Finds the smallest τ ≥ budget.errorTolerancePx at which the mesh for `view` has at most
+/// budget.maxTriangles leaves. The result depends on bounds and eye alone; `guessPx`, the τ of the last frame
+/// or any other number, changes only the time.
 /// Cost: O(maxTriangles), whatever the size of the terrain. Algorithm: TriangleCeiling.cpp.
 double toleranceWithinCeiling(const SplitBounds& bounds, const viewlod::ViewState& view,
                               const viewlod::Budget& budget, double guessPx);

@@ -9,8 +9,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Calls visit(GridPoint) for every sample of a tile's sheets in a triangle (GridTriangle or PlanTriangle), its borders included, row
-/// by row.
+/// Calls visit(GridPoint) for every sample of a tile's sheets in a triangle (GridTriangle or PlanTriangle),
+/// its borders included, row by row.
 template<class Triangle, class Visit>
 void forEachSheetSampleIn(const PlacedTile& tile, const Triangle& triangle, const Visit& visit)
 {
@@ -31,7 +31,8 @@ void forEachSheetSampleIn(const PlacedTile& tile, const Triangle& triangle, cons
     }
 }
 
-/// Does the same for every sample of the data: the raster's, the sheets', then those between. Some may be visited twice.
+/// Does the same for every sample of the data: the raster's, the sheets', then those between. Some may be
+/// visited twice.
 template<class Triangle, class Visit>
 void forEachSampleIn(const PlacedTile& tile, const Triangle& triangle, const Visit& visit)
 {

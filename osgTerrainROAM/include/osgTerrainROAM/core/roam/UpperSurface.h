@@ -12,8 +12,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// The uppermost drawn point at each sample of the raster: what an eye above the ground sees of a mesh whose parts overlap.
-/// Frame: the tile's. Units: metres. Memory: 24 B a sample. Cost: one visit per sample and triangle that covers it.
+/// The uppermost drawn point at each sample of the raster: what an eye above the ground sees of a mesh whose
+/// parts overlap.
+/// Frame: the tile's. Units: metres. Memory: 24 B a sample. Cost: one visit per sample and triangle that
+/// covers it.
 class UpperSurface
 {
 public:

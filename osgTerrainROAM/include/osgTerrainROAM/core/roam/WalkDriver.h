@@ -20,8 +20,10 @@ enum class Removal
 };
 
 /// Adapts a tree by a walk over all of it: splits or merges each triangle by its screen error.
-/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (the frame loop).
-/// Differs: the bounds nest in space, too (Refinement.h), so the result does not depend on the visiting order.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (the frame
+/// loop).
+/// Differs: the bounds nest in space, too (Refinement.h), so the result does not depend on the visiting
+/// order.
 template<class Active>
 class WalkDriver
 {
@@ -37,8 +39,8 @@ public:
     {
     }
 
-    /// Splits and merges until exactly the active vertices are split. Returns false when the slice was spent before, or when that
-    /// takes more than `maxLeaves`: the mesh is valid then, too.
+    /// Splits and merges until exactly the active vertices are split. Returns false when the slice was spent
+    /// before, or when that takes more than `maxLeaves`: the mesh is valid then, too.
     bool refine()
     {
         // A split that does not fit at first may fit after the walk has merged later triangles.

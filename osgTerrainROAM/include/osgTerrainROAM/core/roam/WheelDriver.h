@@ -20,31 +20,33 @@ namespace osgTerrainROAM::core
 {
 
 /// Adapts a tree from eye to eye, and checks only vertices whose decision may have changed.
-/// It watches the active vertices, and the candidates: vertices whose parents are both active. After a split it watches the new
-/// candidates; an inactive vertex is removed with its whole subtree (enhMerge).
-/// A frame that its limits stop leaves the rest of its work for the next frame, which begins with it.
+/// It watches the active vertices, and the candidates: vertices whose parents are both active. After a split
+/// it watches the new candidates; an inactive vertex is removed with its whole subtree (enhMerge). A frame
+/// that its limits stop leaves the rest of its work for the next frame, which begins with it.
 /// Invariant: each candidate is watched from one of its parents' quadrants, or waits to be split.
-/// Cost: the changes and the due watches; none while eye and scale stand still. Memory: 5 B per vertex and 4 B per watch.
-/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (the loop over splits
-/// and enhMerge). Differs: a deferral wheel decides which vertices are checked (DeferralWheel.h).
+/// Cost: the changes and the due watches; none while eye and scale stand still. Memory: 5 B per vertex and 4
+/// B per watch.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (the loop over
+/// splits and enhMerge). Differs: a deferral wheel decides which vertices are checked (DeferralWheel.h).
 class WheelDriver
 {
 public:
     explicit WheelDriver(const RoamTile& tile) : _wheel(tile.tile.field().spacingEastM * kTicksPerCell) {}
 
-    /// Forgets everything, because the tree was changed from outside: the next refinement checks all vertices.
+    /// Forgets everything, because the tree was changed from outside: the next refinement checks all
+    /// vertices.
     void forget() { _knowsTree = false; }
 
     /// Has a vertex, whose bounds or position have changed, checked again in the next refinement.
     void recheck(GridPoint p) { _rechecks.push_back(p); }
 
-    /// Splits and merges until exactly the active vertices are split. Returns false when it stopped before: the next split would
-    /// have exceeded `maxLeaves`, or the slice is spent. The mesh is valid then, too.
+    /// Splits and merges until exactly the active vertices are split. Returns false when it stopped before:
+    /// the next split would have exceeded `maxLeaves`, or the slice is spent. The mesh is valid then, too.
     bool refine(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
                 std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result);
 
-    /// The bound of the error of every sample after a refinement for `view` and `tolerancePx`: the tolerance, or more when it was
-    /// stopped; infinite while due vertices have not been checked.
+    /// The bound of the error of every sample after a refinement for `view` and `tolerancePx`: the tolerance,
+    /// or more when it was stopped; infinite while due vertices have not been checked.
     double errorBoundPx(const viewlod::ViewState& view, double tolerancePx) const;
 
     /// Triangles that would have been split with more room or time.

@@ -12,12 +12,13 @@
 namespace osgTerrainROAM::core
 {
 
-/// The mesh that a vertex forest is refined to now: the active vertices (the front) and their faces. vsplit() and ecol() move the
-/// front down and up.
-/// Vertices and faces lie in pools of slots. Slots of faces have no gaps: the last face moves into the slot of one that goes.
-/// Invariant: defect() is empty after every operation. Threads: one. Memory: 12 B for each vertex of the forest and 40 B for each
-/// face of the mesh; operations allocate only to grow a pool.
-/// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997, section 3.1 (legality), 4.1 (forced vsplits).
+/// The mesh that a vertex forest is refined to now: the active vertices (the front) and their faces. vsplit()
+/// and ecol() move the front down and up. Vertices and faces lie in pools of slots. Slots of faces have no
+/// gaps: the last face moves into the slot of one that goes.
+/// Invariant: defect() is empty after every operation. Threads: one. Memory: 12 B for each vertex of the
+/// forest and 40 B for each face of the mesh; operations allocate only to grow a pool.
+/// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997, section 3.1 (legality), 4.1
+/// (forced vsplits).
 class ActiveFront
 {
 public:
@@ -39,7 +40,8 @@ public:
     /// A vsplit is legal when the node of v1 that it splits is active, and f0…f3 are in the mesh.
     bool isVsplitLegal(std::uint32_t split) const;
 
-    /// An ecol is legal when both nodes that its vsplit has made are active, and fL, fR are in the mesh with f0…f3 as neighbours.
+    /// An ecol is legal when both nodes that its vsplit has made are active, and fL, fR are in the mesh with
+    /// f0…f3 as neighbours.
     bool isEcolLegal(std::uint32_t split) const;
 
     /// Precondition: it is legal.
@@ -72,7 +74,8 @@ public:
         std::erase_if(_changes.triangles, [this](std::uint32_t slot) { return slot >= _faces.size(); });
     }
 
-    /// Describes the first defect that a brute-force check of all vertices, faces and links finds; empty: none. Cost: linear.
+    /// Describes the first defect that a brute-force check of all vertices, faces and links finds; empty:
+    /// none. Cost: linear.
     std::string defect() const;
     bool isConforming() const { return defect().empty(); }
 

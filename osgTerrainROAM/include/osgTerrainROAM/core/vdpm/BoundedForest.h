@@ -14,12 +14,13 @@ namespace osgTerrainROAM::core
 {
 
 /// A vertex forest, where its vertices are, and bounds by which a view decides on its splits.
-/// The bound of split w: error e_w ≥ the error of every face that w changes, over all samples in it; and a ball around all of these
-/// faces and samples. Where w is not done and its dependencies are, no sample of them is off by more.
-/// Bounds *nest* along one dependency of each split, its *finder*: e of the finder is no less, and its ball contains that of w. So who
-/// looks only at splits whose finder is wanted misses none that is wanted. (ROAM nests bounds along all dependencies; here these
-/// would reach far to the side, so others are forced instead.)
-/// With cones, a split has the normals of all faces and samples that its ball stands for; they nest likewise.
+/// The bound of split w: error e_w ≥ the error of every face that w changes, over all samples in it; and a
+/// ball around all of these faces and samples. Where w is not done and its dependencies are, no sample of
+/// them is off by more. Bounds *nest* along one dependency of each split, its *finder*: e of the finder is no
+/// less, and its ball contains that of w. So who looks only at splits whose finder is wanted misses none that
+/// is wanted. (ROAM nests bounds along all dependencies; here these would reach far to the side, so others
+/// are forced instead.) With cones, a split has the normals of all faces and samples that its ball stands
+/// for; they nest likewise.
 /// Invariant: areBoundsNested(). Frame and units: those of the positions, metres.
 struct BoundedForest
 {
@@ -45,9 +46,9 @@ struct BoundedForest
     }
 };
 
-/// Chooses finders and nests the bounds along them: for each split, from the finest on, the dependency whose bound has to grow least,
-/// a small one rather than a large.
-/// `bounds` and `cones`: by split, each for itself. Cost: linear.
+/// Chooses finders and nests the bounds along them: for each split, from the finest on, the dependency whose
+/// bound has to grow least, a small one rather than a large. `bounds` and `cones`: by split, each for itself.
+/// Cost: linear.
 BoundedForest nestBounds(VertexForest forest, std::vector<glm::dvec3> positions,
                          std::vector<SplitBound> bounds, std::vector<NormalCone> cones = {});
 

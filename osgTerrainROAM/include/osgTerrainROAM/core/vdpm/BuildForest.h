@@ -34,10 +34,10 @@ public:
     virtual bool collapse(const CollapsedStar& star) = 0;
 };
 
-/// Builds the forest of a mesh and a sequence of collapses, finest first. Collapses that would not leave a manifold (there is no such
-/// edge, or its ends have other common neighbours than the opposite corners of its faces), or that the witness does not allow, are left
-/// out. What is left is M0.
-/// Splits are numbered from the last collapse to the first.
+/// Builds the forest of a mesh and a sequence of collapses, finest first. Collapses that would not leave a
+/// manifold (there is no such edge, or its ends have other common neighbours than the opposite corners of its
+/// faces), or that the witness does not allow, are left out. What is left is M0. Splits are numbered from the
+/// last collapse to the first.
 /// `triangles`: a manifold, with or without border; vertices that no triangle has are left out.
 /// Cost: 1 to 2 µs a collapse. Memory: about 150 B a vertex besides the result.
 VertexForest buildForest(std::span<const Triangle> triangles, std::uint32_t vertexCount,

@@ -19,13 +19,15 @@
 namespace osgTerrainROAM::core
 {
 
-/// Refines a front for eyes, from one to the next. A split is *wanted* when the criterion says so; it is done when it is wanted or a
-/// wanted one depends on it. So the mesh depends on the eye alone.
-/// It watches the splits whose finder is wanted. Their decisions hold while the eye has not travelled far enough to change them
-/// (DeferralWheel); with a criterion that looks at the frustum or at orientation, all of them are checked in each frame.
+/// Refines a front for eyes, from one to the next. A split is *wanted* when the criterion says so; it is done
+/// when it is wanted or a wanted one depends on it. So the mesh depends on the eye alone. It watches the
+/// splits whose finder is wanted. Their decisions hold while the eye has not travelled far enough to change
+/// them (DeferralWheel); with a criterion that looks at the frustum or at orientation, all of them are
+/// checked in each frame.
 /// Invariant: keepsDependencies(). Cost: the changes and the due checks; nothing while nothing changes.
 /// Memory: 6 B for each split of the forest, 4 B for each watch.
-/// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997, sections 4 and 5 (incremental refinement, amortisation).
+/// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997, sections 4 and 5 (incremental
+/// refinement, amortisation).
 /// Differs: splits are found along nested bounds, dependencies are counted, and checks are deferred.
 class FrontDriver
 {
@@ -33,14 +35,16 @@ public:
     /// `forest` must live as long.
     explicit FrontDriver(const BoundedForest& forest);
 
-    /// Splits and collapses until the mesh is that of the criterion. Returns false when it stopped before: a split with those that it
-    /// needs would have exceeded `maxFaces`, or the slice is spent. The mesh is valid then, too; the next call goes on.
+    /// Splits and collapses until the mesh is that of the criterion. Returns false when it stopped before: a
+    /// split with those that it needs would have exceeded `maxFaces`, or the slice is spent. The mesh is
+    /// valid then, too; the next call goes on.
     bool refine(const SplitCriterion& criterion, std::uint32_t maxFaces, viewlod::Slice& slice,
                 RefineResult& result);
 
-    /// From the next refinement on, vertices move to their places, and back before they go, in so many refinements; 0: they jump. A
-    /// split begins only when all that it depends on have ended, so that what moves at the same time has no face in common: then the
-    /// error of each is known. Where a bound exceeds `mostPx` before, it is done at once.
+    /// From the next refinement on, vertices move to their places, and back before they go, in so many
+    /// refinements; 0: they jump. A split begins only when all that it depends on have ended, so that what
+    /// moves at the same time has no face in common: then the error of each is known. Where a bound exceeds
+    /// `mostPx` before, it is done at once.
     void setMorph(std::uint8_t frames, double mostPx);
 
     /// Moves vertices by a frame. Call it once after each refinement.
@@ -61,8 +65,8 @@ public:
     /// Has all splits checked at the next refinement.
     void forget() { _knowsFront = false; }
 
-    /// The bound of the error of every sample: the criterion's tolerance, or more when work is left; infinite while due splits have
-    /// not been checked. The criterion is that of the last refinement.
+    /// The bound of the error of every sample: the criterion's tolerance, or more when work is left; infinite
+    /// while due splits have not been checked. The criterion is that of the last refinement.
     double errorBoundPx(const SplitCriterion& criterion) const;
 
     /// The number of wanted splits that are not done.
@@ -73,7 +77,8 @@ public:
     void trimChanges() { _front.trimChanges(); }
     bool isWanted(std::uint32_t split) const { return _isWanted[split] != 0; }
 
-    /// Whether each split that is done has its dependencies done, counts are right, and, when nothing waits, each is wanted or needed.
+    /// Whether each split that is done has its dependencies done, counts are right, and, when nothing waits,
+    /// each is wanted or needed.
     bool keepsDependencies() const;
 
     std::size_t memoryBytes() const;

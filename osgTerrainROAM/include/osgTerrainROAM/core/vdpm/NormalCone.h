@@ -11,8 +11,8 @@ namespace osgTerrainROAM::core
 {
 
 /// A cone of directions: all within an angle of an axis. An angle of π: all directions.
-/// Source: Shirman & Abi-Ezzi, *The cone of normals technique for fast processing of curved patches*, 1993; Hoppe, *View-dependent
-/// refinement of progressive meshes*, 1997, section 4.2 (surface orientation).
+/// Source: Shirman & Abi-Ezzi, *The cone of normals technique for fast processing of curved patches*, 1993;
+/// Hoppe, *View-dependent refinement of progressive meshes*, 1997, section 4.2 (surface orientation).
 struct NormalCone
 {
     static constexpr float kSlack = 1e-5f; ///< exceeds the rounding of angles

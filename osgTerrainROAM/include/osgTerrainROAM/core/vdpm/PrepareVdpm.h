@@ -10,7 +10,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Prepares a tile for the method vdpm: the meshes of all view groups share one forest. Errors and cost: heightFieldForest().
+/// Prepares a tile for the method vdpm: the meshes of all view groups share one forest. Errors and cost:
+/// heightFieldForest().
 foundation::Result<PreparedPtr> prepareVdpm(std::shared_ptr<const RoamTile> tile);
 
 } // namespace osgTerrainROAM::core

@@ -20,9 +20,11 @@ struct SeenPart
     bool isEverything() const { return !inFrustum && sides == VisibleSides::both; }
 };
 
-/// Decides whether a split is wanted. For an eye: whether its bound on the screen exceeds the tolerance, p > τ (ActiveForEye), and its
-/// ball and cone are not certainly out of the part that is seen. For no eye: whether e > errorM.
-/// All of these nest: where a ball is outside the frustum, those inside it are; where a cone is turned away, those inside it are.
+/// Decides whether a split is wanted. For an eye: whether its bound on the screen exceeds the tolerance, p >
+/// τ (ActiveForEye), and its ball and cone are not certainly out of the part that is seen. For no eye:
+/// whether e > errorM.
+/// All of these nest: where a ball is outside the frustum, those inside it are; where a cone is turned away,
+/// those inside it are.
 class SplitCriterion
 {
 public:

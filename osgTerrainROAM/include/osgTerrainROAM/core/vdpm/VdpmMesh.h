@@ -22,13 +22,15 @@ namespace osgTerrainROAM::core
 {
 
 /// The triangulation of one terrain tile for one view group by a view-dependent progressive mesh.
-/// In error-target mode the mesh depends on the eye alone. Where the ceiling of triangles binds, the tolerance rises for the whole
-/// frame; which of the tolerances within 1 % of the ceiling it is depends on the frames before.
-/// The tile must not be edited: progressive meshes follow no edits. With morphing it depends on what came before, too.
+/// In error-target mode the mesh depends on the eye alone. Where the ceiling of triangles binds, the
+/// tolerance rises for the whole frame; which of the tolerances within 1 % of the ceiling it is depends on
+/// the frames before.
+/// The tile must not be edited: progressive meshes follow no edits. With morphing it depends on what came
+/// before, too.
 /// Invariant: isValid(). Threads: one at a time. Memory: memoryBytes(); the forest is shared.
-/// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997; *Methods of continuous level of detail for terrain*
-/// (Graphicon 2002), section 4.4. Differs: triangles of unknown error cannot appear (VertexForest::dependencies), so no sample is off
-/// by more than the tolerance.
+/// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997; *Methods of continuous level of
+/// detail for terrain* (Graphicon 2002), section 4.4. Differs: triangles of unknown error cannot appear
+/// (VertexForest::dependencies), so no sample is off by more than the tolerance.
 class VdpmMesh final : public TerrainMesh
 {
 public:
@@ -37,7 +39,8 @@ public:
 
     const RoamTile& tile() const override { return *_tile; }
 
-    /// Refines only what the frustum touches; then every frame checks the whole front. Takes effect with the next refinement.
+    /// Refines only what the frustum touches; then every frame checks the whole front. Takes effect with the
+    /// next refinement.
     void setInFrustum(bool on);
 
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget) override;

@@ -15,8 +15,9 @@ namespace osgTerrainROAM::core
 
 using osgPMObjects::core::Triangle;
 
-/// vsplit(v0, v1, fL, fR, f0, f1, f2, f3): vertex v1 splits into itself and the new vertex v0. fL and fR are the new faces on the
-/// edge v1–v0, to the left and to the right of it. The faces around v1 from f0 to f3 go over to v0. On a border some are kNone.
+/// vsplit(v0, v1, fL, fR, f0, f1, f2, f3): vertex v1 splits into itself and the new vertex v0. fL and fR are
+/// the new faces on the edge v1–v0, to the left and to the right of it. The faces around v1 from f0 to f3 go
+/// over to v0. On a border some are kNone.
 ///
 /// ```
 ///        f0  v0  f3                      f0   f3
@@ -34,17 +35,19 @@ struct VertexSplit
     bool hasRight() const { return f[2] != kNone || f[3] != kNone; }
 };
 
-/// A view-dependent progressive mesh (VDPM) at rest: the base mesh M0 and the splits that refine it, as a forest of binary trees.
-/// The roots are the vertices of the base mesh. A split is an inner node: its children are v1 as it goes on, and v0. So the splits
-/// of one vertex have an order (`nextSplit`), and the vertices are fewer than the nodes.
-/// Splits are numbered in an order in which all can be done. Split w makes vertex v0(w) and the faces fL(w), fR(w); the numbers of
-/// faces that a border split does not make are left out.
-/// `dependencies`: the splits that have to be done before w, all of smaller numbers. They make it legal (ActiveFront), and they make
-/// the faces that w changes exactly those that they were when the mesh was prepared, whose errors are known: Hoppe's legality
-/// alone lets triangles appear that were never measured.
+/// A view-dependent progressive mesh (VDPM) at rest: the base mesh M0 and the splits that refine it, as a
+/// forest of binary trees. The roots are the vertices of the base mesh. A split is an inner node: its
+/// children are v1 as it goes on, and v0. So the splits of one vertex have an order (`nextSplit`), and the
+/// vertices are fewer than the nodes. Splits are numbered in an order in which all can be done. Split w makes
+/// vertex v0(w) and the faces fL(w), fR(w); the numbers of faces that a border split does not make are left
+/// out.
+/// `dependencies`: the splits that have to be done before w, all of smaller numbers. They make it legal
+/// (ActiveFront), and they make the faces that w changes exactly those that they were when the mesh was
+/// prepared, whose errors are known: Hoppe's legality alone lets triangles appear that were never measured.
 /// Invariant: forestDefect() is empty. Memory: memoryBytes(), about 60 B a split.
-/// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997, sections 3.1 and 4.1; *Methods of continuous level of
-/// detail for terrain* (Graphicon 2002), section 4.4. Differs: v1 keeps its number when it splits.
+/// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997, sections 3.1 and 4.1; *Methods of
+/// continuous level of detail for terrain* (Graphicon 2002), section 4.4. Differs: v1 keeps its number when
+/// it splits.
 struct VertexForest
 {
     std::uint32_t rootVertices = 0;
