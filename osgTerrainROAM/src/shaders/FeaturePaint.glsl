@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the features under a pixel: Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position, metres; the
-// others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares.
+// others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares. Pictures of low quality have the maps
+// alone, but for what a pilot has to see: runways with their marks and lamps, in the few cells that list them.
 
-#ifdef PICTURE_LOW
-// From the maps alone. Where a texel is wider than a pixel the blended shares of crops are made steeper, so that fields have an edge.
-Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
+// The list of a cell: its first record, numbers of areas, lines and strokes; zeros where there is none. `at`: from the cell's middle, metres.
+vec4 cellAt(vec2 place, out vec2 at)
 {
-    bool wide = dot(alongX, alongX) > dot(alongY, alongY);
-    vec2 longer = wide ? alongX : alongY;
-    Paint paint = paintOfMaps(place, Footprint(longer, wide ? alongY : alongX));
-    float blur = clamp(length(longer) / featureFarTexelM, 0.1, 1.0);
-    paint.crops = clamp(0.5 + (paint.crops - 0.5) / blur, 0.0, 1.0);
-    return paint;
+    vec2 cell = floor(place / featureCellM);
+    at = place - (cell + 0.5) * featureCellM;
+    ivec2 index = ivec2(cell) + terrainEyeWraps.xy * int(4096.0 / featureCellM) - featureGrid.xy;
+    if (any(lessThan(index, ivec2(0))) || any(greaterThanEqual(index, featureGrid.zw))) return vec4(0.0);
+    return texelFetch(featureCells, index, 0);
 }
-#else
+
 Paint paintInCell(vec2 place, Footprint f)
 {
     Paint paint = kNoPaint;
-    vec2 cell = floor(place / featureCellM);
-    ivec2 index = ivec2(cell) + terrainEyeWraps.xy * int(4096.0 / featureCellM) - featureGrid.xy;
-    if (any(lessThan(index, ivec2(0))) || any(greaterThanEqual(index, featureGrid.zw))) return paint;
-    vec4 list = texelFetch(featureCells, index, 0);
+    vec2 at;
+    vec4 list = cellAt(place, at);
     if (list.y + list.z + list.w == 0.0) return paint;
-    vec2 at = place - (cell + 0.5) * featureCellM;
     int record = int(list.x);
+#ifdef PICTURE_LOW
+    for (int i = 0; i < int(list.y); ++i) record += 2 + int(featureRecord(record).x);
+    record += 2 * int(list.z);
+#else
     if (list.y > 0.0) record = paintAreas(paint, record, int(list.y), at, f);
     if (list.z > 0.0) record = paintLines(paint, record, int(list.z), at, f);
+#endif
     if (list.w > 0.0) paintStrokes(paint, record, int(list.w), at, f);
     return paint;
 }
@@ -46,6 +47,10 @@ Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
     float length1 = length(longer);
     float across = abs(alongX.x * alongY.y - alongX.y * alongY.x) / max(length1, 1e-9);
     float far = max(smoothstep(96.0, 160.0, length1), smoothstep(0.5, 1.0, across / featureFarTexelM));
+#ifdef PICTURE_LOW
+    vec2 at;
+    if (cellAt(place, at).w == 0.0) far = 1.0;
+#endif
     Footprint whole = Footprint(longer, shorter);
     Paint paint = kNoPaint;
     // No branches: software drawing leaves out a loop that no pixel of a group enters.
@@ -57,8 +62,17 @@ Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
         paint = mixed(paint, more, 1.0 / float(i + 1));
     }
     paint.marks.w *= float(taps); // a lamp is a point, its light is no share of the footprint
+#ifdef PICTURE_LOW
+    Paint strokes = paint;
+    paint = paintOfMaps(place, whole);
+    paint.beds.w = mix(strokes.beds.w, paint.beds.w, far);
+    paint.marks.xw = mix(strokes.marks.xw, paint.marks.xw, far);
+    // Where a texel is wider than a pixel the blended shares of crops are made steeper, so that fields have an edge.
+    float blur = clamp(length1 / featureFarTexelM, 0.1, 1.0);
+    paint.crops = clamp(0.5 + (paint.crops - 0.5) / blur, 0.0, 1.0);
+#else
     for (int i = far > 0.0 ? 0 : 1; i < 1; ++i)
         paint = mixed(paint, paintOfMaps(place, whole), far);
+#endif
     return paint;
 }
-#endif

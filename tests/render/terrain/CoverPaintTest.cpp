@@ -159,6 +159,9 @@ TEST(NightPaint, ARunwayHasLightsOnlyAtNight)
     EXPECT_GT(lamps, 15);
     EXPECT_LT(lamps, 1500);
     EXPECT_LT(night, 30.0);
+    terrain->material()->stateSet()->setDefine("PICTURE_LOW");
+    EXPECT_GT(brightPixels(-14.0, 0.0).first, lamps / 2) << "at every quality";
+    terrain->material()->stateSet()->removeDefine("PICTURE_LOW");
     EXPECT_GT(brightPixels(-14.0, 1.0).second, 1.3 * night) << "moonlight shows the ground";
     EXPECT_EQ(brightPixels(30.0, 1.0).second, brightPixels(30.0, 0.0).second)
         << "and by day there is none of it";

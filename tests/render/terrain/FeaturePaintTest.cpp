@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where what is painted lies in the picture, and whether it keeps still when the eye moves.
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -290,6 +291,46 @@ TEST(FeaturePaint, ARunwayIsSeenFromFinal)
     const double seen = runwayShareFromFinal(""), byMap = runwayShareFromFinal("if (featureRunwayCount > 0)");
     EXPECT_GT(seen, 0.85) << "five pixels wide there";
     EXPECT_LT(byMap, 0.7) << "the control: the far map alone blurs it";
+}
+
+/// How much brighter than the asphalt beside it the marks of a runway are, in levels of its pixels: the middle
+/// line's longest dash and the bars of the threshold, looked at from a height of 300 m. `define`: of a quality.
+std::array<double, 2> marksBesideAsphalt(const std::string& define, const std::string& mutated = "")
+{
+    const auto terrain = plain({line(FeatureKind::runway, 45.0, {20000.0, 20000.0}, {20000.0, 22000.0})});
+    if (!define.empty()) terrain->material()->stateSet()->setDefine(define);
+    if (!mutated.empty()) mutate(*terrain, mutated, "if (false)");
+    Camera camera(terrain);
+    const auto spread = [&](double north)
+    {
+        const auto picture = camera.picture({20000.0, north, 300.0}, -kZenith, kNorthward);
+        double least = 255.0, most = 0.0;
+        // 40 m across and along: within the asphalt's edges.
+        const osg::Vec2d low = camera.pixelOf({19980.0, north - 20.0, 0.0});
+        const osg::Vec2d high = camera.pixelOf({20020.0, north + 20.0, 0.0});
+        for (int y = static_cast<int>(low.y()); y < static_cast<int>(high.y()); ++y)
+            for (int x = static_cast<int>(low.x()); x < static_cast<int>(high.x()); ++x)
+            {
+                least = std::min(least, level(*picture, x, y));
+                most = std::max(most, level(*picture, x, y));
+            }
+        return most - least;
+    };
+    return {spread(21000.0), spread(20025.0)};
+}
+
+TEST(FeaturePaint, ARunwayHasItsMarksAtEveryQuality)
+{
+    const auto high = marksBesideAsphalt("");
+    for (const char* define : {"PICTURE_MEDIUM", "PICTURE_LOW"})
+    {
+        const auto marks = marksBesideAsphalt(define);
+        EXPECT_GT(marks[0], 0.8 * high[0]) << "middle line, " << define;
+        EXPECT_GT(marks[1], 0.8 * high[1]) << "threshold, " << define;
+    }
+    const auto byMap = marksBesideAsphalt("PICTURE_LOW", "if (list.w > 0.0)");
+    EXPECT_LT(byMap[0], 0.3 * high[0]) << "the control: without the lists of cells there are none";
+    EXPECT_LT(byMap[1], 0.3 * high[1]);
 }
 
 TEST(FeaturePaint, NothingOfItIsDrawnWhereNothingIsPainted)
