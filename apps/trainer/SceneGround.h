@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include <foundation/Earth.h>
+
 #include "simulation/vehicle/ProvidedGround.h"
 
 namespace trainer
@@ -11,8 +13,7 @@ namespace trainer
 /// z of the sea at a place, from its z at the scene's origin: it bends with the Earth.
 inline double seaHeightAt(double seaLevelM, const glm::dvec3& place)
 {
-    constexpr double kTwiceEarthM = 2.0 * 6.371e6;
-    return seaLevelM - (place.x * place.x + place.y * place.y) / kTwiceEarthM;
+    return seaLevelM - (place.x * place.x + place.y * place.y) / (2.0 * foundation::kEarthRadiusM);
 }
 
 /// The ground of a scene as vehicles meet it: land by its heights; below the sea's level there is water at

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <span>
 
+#include <glm/common.hpp>
+
 #include "IslandPlan.h"
 
 namespace islandgen
@@ -101,7 +103,7 @@ float hill(PlaceKm place, PlaceKm centre, float radiusKm)
 {
     const float dx = place.x - centre.x;
     const float dy = place.y - centre.y;
-    return 1.0f - smoothStep(0.15f, 1.0f, std::sqrt(dx * dx + dy * dy) / radiusKm);
+    return 1.0f - glm::smoothstep(0.15f, 1.0f, std::sqrt(dx * dx + dy * dy) / radiusKm);
 }
 
 /// Steepness of the main range: a steep, short outer flank and a longer one towards the plain.
@@ -114,16 +116,10 @@ float rangeSteepnessM(PlaceKm place, Noise noise)
     const float crestM =
         kRangeSteepnessM[segment] + fraction * (kRangeSteepnessM[segment + 1] - kRangeSteepnessM[segment]);
     const float variation = 1.0f + 0.35f * noise.channel(21).fractal(place.x / 3.0f, place.y / 3.0f, 3);
-    return crestM * variation * (1.0f - smoothStep(0.0f, 5.0f, nearest.distanceKm));
+    return crestM * variation * (1.0f - glm::smoothstep(0.0f, 5.0f, nearest.distanceKm));
 }
 
 } // namespace
-
-float smoothStep(float from, float to, float x)
-{
-    const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-    return t * t * (3.0f - 2.0f * t);
-}
 
 PlaceKm warped(PlaceKm place, Noise noise, float wavelengthKm, float amplitudeKm, int octaves)
 {
@@ -152,7 +148,8 @@ float steepnessM(PlaceKm place, Noise noise)
     const float patches =
         std::max(noise.channel(32).fractal(place.x / 2.6f, place.y / 2.6f, 3) + 0.25f, 0.0f);
     const float foothills =
-        30.0f * patches * (1.0f - smoothStep(3.0f, 6.8f, nearestOnPath(moved, kRange, false).distanceKm));
+        30.0f * patches *
+        (1.0f - glm::smoothstep(3.0f, 6.8f, nearestOnPath(moved, kRange, false).distanceKm));
     const float plain = 3.2f + 1.6f * noise.channel(31).fractal(place.x / 3.5f, place.y / 3.5f, 3);
     return std::max(range, 0.0f) + foothills + hills + std::max(plain, 1.2f);
 }

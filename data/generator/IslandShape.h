@@ -13,9 +13,6 @@ struct PlaceKm
     float y;
 };
 
-/// 0 up to `from`, 1 from `to` on, smooth between.
-float smoothStep(float from, float to, float x);
-
 /// The place, moved by noise of this largest wavelength, about as far as the amplitude.
 PlaceKm warped(PlaceKm place, Noise noise, float wavelengthKm, float amplitudeKm, int octaves);
 

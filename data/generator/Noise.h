@@ -3,16 +3,15 @@
 
 #include <cstdint>
 
+#include <foundation/Random.h>
+
 namespace islandgen
 {
 
-/// A well mixed 64-bit hash. Source: the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+/// A well mixed 64-bit hash: the first number that SplitMix64 gives for a seed.
 constexpr std::uint64_t mixedBits(std::uint64_t value)
 {
-    value += 0x9e3779b97f4a7c15ull;
-    value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ull;
-    value = (value ^ (value >> 27)) * 0x94d049bb133111ebull;
-    return value ^ (value >> 31);
+    return foundation::SplitMix64(value)();
 }
 
 /// A hash as a number in [0, 1).

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include <foundation/Earth.h>
+
 #include <osg/Uniform>
 
 #include <osgTerrainROAM/core/cover/GroundMakeup.h>
@@ -225,7 +227,8 @@ void TerrainMaterial::measureHeights(const core::PlacedTile& tile)
     const glm::dvec3 middle = tile.position(column, row);
     // Seen from the tile's frame the Earth falls away by about d²/2R; a metre more or less does not move a
     // snow line.
-    const double fall = tile.frame().placement() == core::Placement::curved ? 0.5 / 6371000.0 : 0.0;
+    const double fall =
+        tile.frame().placement() == core::Placement::curved ? 0.5 / foundation::kEarthRadiusM : 0.0;
     const double over =
         tile.samples().heightM(column, row) - middle.z - fall * (middle.x * middle.x + middle.y * middle.y);
     _heights.set(static_cast<float>(fall), static_cast<float>(over));

@@ -4,24 +4,19 @@
 #include <cstdint>
 #include <iterator>
 
+#include <foundation/Random.h>
+
 namespace scenery::models
 {
 
 /// A generator of seeded random numbers, the same on every machine; its state is one word.
-/// Source: SplitMix64 of Steele, Lea & Flood, *Fast Splittable Pseudorandom Number Generators*, 2014.
 class Dice
 {
 public:
-    explicit Dice(std::uint64_t seed) : _state(seed * 0x9e3779b97f4a7c15ULL + 0x632be59bd9b4e019ULL) {}
+    explicit Dice(std::uint64_t seed) : _bits(seed * foundation::SplitMix64::kStep + 0x632be59bd9b4e019ULL) {}
 
     /// Returns a number in [0, 1).
-    double unit()
-    {
-        std::uint64_t z = (_state += 0x9e3779b97f4a7c15ULL);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-    }
+    double unit() { return static_cast<double>(_bits() >> 11) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * unit(); }
     int below(int n) { return static_cast<int>(unit() * n); }
     bool chance(double share) { return unit() < share; }
@@ -33,7 +28,7 @@ public:
     }
 
 private:
-    std::uint64_t _state;
+    foundation::SplitMix64 _bits;
 };
 
 } // namespace scenery::models

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 #include <osg/Geode>
 #include <osg/Geometry>
 #include <osg/PolygonOffset>
@@ -22,19 +24,13 @@ constexpr float kDarkest = 0.72F; ///< share of the light kept out in the middle
 
 constexpr int kCells = 16; ///< each way: enough for a round rim
 
-float smoothStep(float from, float to, float x)
-{
-    const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
-
 /// Of a place relative to the middle: full over the core, nothing from kRimM outside it on, round at the
 /// corners.
 float darkness(const osg::Vec2f& place, const osg::Vec2f& half)
 {
     const osg::Vec2f outside(std::max(std::abs(place.x()) - half.x() + kRimM, 0.0F),
                              std::max(std::abs(place.y()) - half.y() + kRimM, 0.0F));
-    return kDarkest * smoothStep(2.0F * kRimM, 0.0F, outside.length());
+    return kDarkest * glm::smoothstep(2.0F * kRimM, 0.0F, outside.length());
 }
 
 } // namespace

@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include <foundation/Random.h>
+#include <glm/common.hpp>
+
 #include "scenery/models/Dice.h"
 
 namespace scenery
@@ -15,21 +18,16 @@ namespace
 
 double lattice(std::int64_t x, std::int64_t y, std::uint64_t seed)
 {
-    const auto mixed = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ULL ^
+    const auto mixed = static_cast<std::uint64_t>(x) * foundation::SplitMix64::kStep ^
                        static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4fULL ^ seed * 0x165667b19e3779f9ULL;
     return models::Dice(mixed).unit();
-}
-
-double smooth(double t)
-{
-    return t * t * (3.0 - 2.0 * t);
 }
 
 double noise(glm::dvec2 place, std::uint64_t seed)
 {
     const double x0 = std::floor(place.x), y0 = std::floor(place.y);
     const auto x = static_cast<std::int64_t>(x0), y = static_cast<std::int64_t>(y0);
-    const double u = smooth(place.x - x0), v = smooth(place.y - y0);
+    const double u = glm::smoothstep(0.0, 1.0, place.x - x0), v = glm::smoothstep(0.0, 1.0, place.y - y0);
     const double south = lattice(x, y, seed) * (1.0 - u) + lattice(x + 1, y, seed) * u;
     const double north = lattice(x, y + 1, seed) * (1.0 - u) + lattice(x + 1, y + 1, seed) * u;
     return south * (1.0 - v) + north * v;

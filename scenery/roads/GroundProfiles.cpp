@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "scenery/roads/HeightFit.h"
 
 namespace scenery
@@ -22,12 +24,6 @@ constexpr int kPlaneSamples = 9;       ///< along a side of its box
 constexpr double kInsideStepM = 5.0;
 constexpr int kGradeSamples = 4;        ///< within a step, less one
 constexpr std::size_t kFewestSteps = 8; ///< of a chain
-
-double smoothStep(double share)
-{
-    const double x = std::clamp(share, 0.0, 1.0);
-    return x * x * (3.0 - 2.0 * x);
-}
 
 /// A place along a chain.
 struct ChainPlace
@@ -284,7 +280,7 @@ double GroundProfiles::heightM(const osgRoads::core::RoadPosition& position, con
     {
         if (plane < 0 || fromEndM >= profile.runInM) return;
         const glm::dvec2 aside = plan - on.referenceLine.at(position.s).position;
-        heightM += smoothStep(1.0 - fromEndM / profile.runInM) *
+        heightM += glm::smoothstep(0.0, 1.0, 1.0 - fromEndM / profile.runInM) *
                    glm::dot(_planes[static_cast<std::size_t>(plane)].gradient, aside);
     };
     lean(profile.startPlane, alongM);

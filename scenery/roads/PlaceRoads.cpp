@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <foundation/Angle.h>
+#include <foundation/Earth.h>
 
 #include <osgRoads/core/query/GeoReference.h>
 #include <osgRoads/core/query/LaneSpan.h>
@@ -40,7 +41,7 @@ glm::dvec3 onTile(const PlacedTile& tile, double latitudeDeg, double longitudeDe
 /// Earth's radius)².
 PlanMap::Place placeByOrigin(const PlacedTile& tile, const RoadOrigin& origin)
 {
-    constexpr double kA = 6378137.0, kE2 = 6.69437999014e-3; // WGS84
+    constexpr double kA = foundation::kWgs84RadiusM, kE2 = foundation::kWgs84Eccentricity2;
     const double sine = std::sin(foundation::radiansOf(origin.latitudeDeg));
     const double w = std::sqrt(1.0 - kE2 * sine * sine);
     const double meridianM = kA * (1.0 - kE2) / (w * w * w), normalM = kA / w;

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include <foundation/Angle.h>
+#include <foundation/Earth.h>
 
 namespace simulation
 {
 namespace
 {
 
-constexpr double kStandardGravityMps2 = 9.80665;
 constexpr double kGreatestBankDeg = 60.0;
 constexpr double kSmallestPlanSpeed = 1e-6;
 constexpr double kBesideRoadM = 10.0; ///< so far from its lanes a road tells the height
@@ -259,7 +259,8 @@ void EntityMotion::takePoint(const PathPoint& point, double speedMps)
     if (point.pitchRad) _state.pitchDeg = wrappedDeg(glm::degrees(*point.pitchRad));
     const double planSpeed = speedMps * std::cos(climbRad);
     const double curvature = point.planCurvature();
-    const double bank = glm::degrees(std::atan(planSpeed * planSpeed * curvature / kStandardGravityMps2));
+    const double bank =
+        glm::degrees(std::atan(planSpeed * planSpeed * curvature / foundation::kStandardGravityMps2));
     _state.rollDeg = _isAirborne ? -std::clamp(bank, -kGreatestBankDeg, kGreatestBankDeg) : 0.0;
     if (point.rollRad) _state.rollDeg = wrappedDeg(glm::degrees(*point.rollRad));
     _state.steeringDeg = glm::degrees(std::atan(_wheelbaseM * curvature));

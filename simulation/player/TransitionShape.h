@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
+
 #include "simulation/scenario/Dynamics.h"
 
 namespace simulation
@@ -15,7 +17,7 @@ inline double shapeValue(DynamicsShape shape, double x)
 {
     if (shape == DynamicsShape::step || x >= 1.0) return 1.0;
     if (x <= 0.0) return 0.0;
-    if (shape == DynamicsShape::cubic) return x * x * (3.0 - 2.0 * x);
+    if (shape == DynamicsShape::cubic) return glm::smoothstep(0.0, 1.0, x);
     if (shape == DynamicsShape::sinusoidal) return 0.5 * (1.0 - std::cos(std::numbers::pi * x));
     return x;
 }

@@ -128,8 +128,8 @@ QualificationChecks handbookChecks(const AircraftData& aircraft)
     checks.push_back({"glide ratio at 65 kt",
                       glide ? -1.0 / std::tan(foundation::radiansOf(glide->pathDeg)) : std::nan(""), "1", 9.1,
                       0.9, kHandbook});
-    const double expected =
-        foundation::degreesOf(kStandardGravity * std::tan(foundation::radiansOf(30.0)) / (100.0 * kKnot));
+    const double expected = foundation::degreesOf(foundation::kStandardGravityMps2 *
+                                                  std::tan(foundation::radiansOf(30.0)) / (100.0 * kKnot));
     checks.push_back({"rate of turn at 100 kt and 30 deg of bank", turnRate(heavy, sea, 100.0, 30.0), "deg/s",
                       expected, 0.02 * expected, "g tan(bank) / V"});
     return checks;

@@ -84,7 +84,7 @@ double lateralG(const std::shared_ptr<const RoadVehicleData>& vehicle)
         drive.set(RoadInput::steering, std::min(1.0, static_cast<double>(i) / (120.0 * 30.0)));
         drive.step();
         const RoadReadings readings = drive.vehicle().readings();
-        const double now = readings.accelerationMps2.y / kStandardGravity;
+        const double now = readings.accelerationMps2.y / foundation::kStandardGravityMps2;
         sum += now - window[i % kMeanSteps];
         window[i % kMeanSteps] = now;
         if (drive.vehicle().status().condition != VehicleCondition::sound) return std::nan("");

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 namespace simulation
 {
 namespace
@@ -34,8 +36,7 @@ double wantedM(double share, const TourScale& scale)
     std::size_t i = 0;
     while (i + 2 < kKeys.size() && share > kKeys[i + 1].at)
         ++i;
-    const double t = std::clamp((share - kKeys[i].at) / (kKeys[i + 1].at - kKeys[i].at), 0.0, 1.0);
-    const double eased = t * t * (3.0 - 2.0 * t);
+    const double eased = glm::smoothstep(kKeys[i].at, kKeys[i + 1].at, share);
     return scale.*kKeys[i].height + eased * (scale.*kKeys[i + 1].height - scale.*kKeys[i].height);
 }
 

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/Earth.h>
+
 namespace simulation
 {
 namespace
 {
 
-constexpr double kEarthRadiusM = 6'371'000.0;
 constexpr int kCellsAlong = 160;
 constexpr int kSamplesPerCell = 3;
 constexpr int kWindow = 2; ///< cells to each side in which ruggedness is measured
@@ -82,7 +83,8 @@ void ReliefMap::sampleHeights(const TourTerrain& terrain)
                 const glm::dvec2 offset((across + 0.5) / kSamplesPerCell - 0.5,
                                         (up + 0.5) / kSamplesPerCell - 0.5);
                 const glm::dvec2 place = centre(column, row) + offset * _cellM;
-                const double bend = terrain.origin ? glm::dot(place, place) / (2.0 * kEarthRadiusM) : 0.0;
+                const double bend =
+                    terrain.origin ? glm::dot(place, place) / (2.0 * foundation::kEarthRadiusM) : 0.0;
                 const double height = terrain.heightM(place.x, place.y) + bend;
                 _isFinite = _isFinite && std::isfinite(height);
                 high = std::max(high, height);

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include <foundation/Angle.h>
+#include <foundation/Earth.h>
 
 namespace simulation
 {
 namespace
 {
 
-constexpr double kGravityMps2 = 9.80665;
 constexpr double kLargestBankDeg = 24.0;
 constexpr double kLargestTurnDegPerS = 6.0;
 constexpr double kLargestClimbDeg = 8.0;
@@ -29,9 +29,9 @@ TourScale TourScale::of(const TourTerrain& terrain, double durationS)
     scale.lowM = 0.55 * scale.mediumM;
     scale.highM = 1.7 * scale.mediumM;
     scale.clearanceM = 0.3 * scale.mediumM;
-    scale.turnRateRadPerS =
-        std::min(foundation::radiansOf(kLargestTurnDegPerS),
-                 kGravityMps2 * std::tan(foundation::radiansOf(kLargestBankDeg)) / scale.speedMps);
+    scale.turnRateRadPerS = std::min(foundation::radiansOf(kLargestTurnDegPerS),
+                                     foundation::kStandardGravityMps2 *
+                                         std::tan(foundation::radiansOf(kLargestBankDeg)) / scale.speedMps);
     scale.climbSlope = std::tan(foundation::radiansOf(kLargestClimbDeg));
     scale.sinkSlope = std::tan(foundation::radiansOf(kLargestSinkDeg));
     return scale;

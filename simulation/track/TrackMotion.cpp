@@ -6,13 +6,13 @@
 #include <vector>
 
 #include <foundation/Angle.h>
+#include <foundation/Earth.h>
 
 namespace simulation
 {
 namespace
 {
 
-constexpr double kEarthM = 6371000.0;
 constexpr double kFlyingM = 50.0;
 constexpr double kWalkingMps = 2.5;
 constexpr double kTrackStandingMps = 0.3;
@@ -42,7 +42,7 @@ double metresBetween(const TrackFix& one, const TrackFix& other)
     const double north = foundation::radiansOf(other.latitudeDeg - one.latitudeDeg);
     const double east = foundation::radiansOf(foundation::wrappedDeg(other.longitudeDeg - one.longitudeDeg)) *
                         std::cos(foundation::radiansOf(one.latitudeDeg));
-    return kEarthM * std::hypot(north, east);
+    return foundation::kEarthRadiusM * std::hypot(north, east);
 }
 
 double lengthOf(const FlightTrack& track)

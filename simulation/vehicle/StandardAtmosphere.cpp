@@ -41,8 +41,9 @@ AirState standardAtmosphere(double heightM, const AtmosphereOffsets& offsets)
     air.temperatureK = seaK - kLapseRate * lowerM;
     air.pressurePa =
         offsets.seaPressurePa *
-        std::pow(air.temperatureK / seaK, kStandardGravity / (kGasConstant * kLapseRate)) *
-        std::exp(-kStandardGravity * (geopotentialM - lowerM) / (kGasConstant * air.temperatureK));
+        std::pow(air.temperatureK / seaK, foundation::kStandardGravityMps2 / (kGasConstant * kLapseRate)) *
+        std::exp(-foundation::kStandardGravityMps2 * (geopotentialM - lowerM) /
+                 (kGasConstant * air.temperatureK));
     air.densityKgPerM3 = air.pressurePa / (kGasConstant * air.temperatureK);
     return air;
 }
@@ -61,7 +62,7 @@ double trueAirspeed(double calibratedMps, const AirState& air)
 
 double altimeterHeight(double pressurePa, double settingPa)
 {
-    constexpr double kPower = kGasConstant * kLapseRate / kStandardGravity;
+    constexpr double kPower = kGasConstant * kLapseRate / foundation::kStandardGravityMps2;
     const auto heightOf = [](double pa)
     { return kSeaTemperatureK / kLapseRate * (1.0 - std::pow(pa / kSeaPressurePa, kPower)); };
     return heightOf(pressurePa) - heightOf(settingPa);

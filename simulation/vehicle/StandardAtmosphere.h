@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <foundation/Earth.h>
 namespace simulation
 {
 
@@ -19,8 +20,7 @@ struct AtmosphereOffsets
     double seaPressurePa = 101325.0; ///< at the height 0
 };
 
-constexpr double kGasConstant = 287.05287;   ///< of dry air, J/(kg K)
-constexpr double kStandardGravity = 9.80665; ///< m/s²
+constexpr double kGasConstant = 287.05287; ///< of dry air, J/(kg K)
 constexpr double kSeaPressurePa = 101325.0;
 constexpr double kSeaTemperatureK = 288.15;
 constexpr double kSeaDensity = 1.225;

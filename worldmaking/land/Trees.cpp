@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include <foundation/Random.h>
+
 #include "scenery/buildings/Outline.h"
 #include "scenery/models/Dice.h"
 #include "worldmaking/land/MapFile.h"
@@ -38,7 +40,7 @@ double distanceM(const glm::dvec2& place, const std::vector<glm::dvec2>& ring)
 
 std::uint64_t seedOf(std::int64_t column, std::int64_t row)
 {
-    return static_cast<std::uint64_t>(column) * 0x9e3779b97f4a7c15ULL ^
+    return static_cast<std::uint64_t>(column) * foundation::SplitMix64::kStep ^
            (static_cast<std::uint64_t>(row) << 21U);
 }
 

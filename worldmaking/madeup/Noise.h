@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include <foundation/Random.h>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
 #include "scenery/models/Dice.h"
@@ -14,7 +16,7 @@ namespace worldmaking
 /// A seed of its own for each thing of a world: for a stage, and for a place or number within it.
 inline std::uint64_t seedFor(std::uint64_t world, std::uint64_t stage, std::uint64_t number = 0)
 {
-    return (world * 0x9e3779b97f4a7c15ULL) ^ (stage * 0xd1b54a32d192ed03ULL) ^
+    return (world * foundation::SplitMix64::kStep) ^ (stage * 0xd1b54a32d192ed03ULL) ^
            (number * 0x2545f4914f6cdd1dULL);
 }
 
@@ -30,8 +32,7 @@ inline double noiseAt(const glm::dvec2& place, double sideM, std::uint64_t seed)
                    y = static_cast<std::uint64_t>(static_cast<std::int64_t>(row + dy));
         return scenery::models::Dice(seedFor(seed, x + 1, y + 1)).unit();
     };
-    const auto smooth = [](double t) { return t * t * (3.0 - 2.0 * t); };
-    const double u = smooth(east - column), v = smooth(north - row);
+    const double u = glm::smoothstep(0.0, 1.0, east - column), v = glm::smoothstep(0.0, 1.0, north - row);
     return (value(0, 0) * (1.0 - u) + value(1, 0) * u) * (1.0 - v) +
            (value(0, 1) * (1.0 - u) + value(1, 1) * u) * v;
 }

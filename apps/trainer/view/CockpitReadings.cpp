@@ -33,7 +33,7 @@ bool isLit(const CockpitState& state, EntityLamp::Kind lamp)
 double coordinatedTurnDegps(const simulation::EntityState& entity)
 {
     if (std::abs(entity.speedMps) < kLeastTurnMps) return 0.0;
-    return foundation::degreesOf(simulation::kStandardGravity *
+    return foundation::degreesOf(foundation::kStandardGravityMps2 *
                                  std::tan(foundation::radiansOf(std::clamp(entity.rollDeg, -80.0, 80.0))) /
                                  entity.speedMps);
 }

@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <foundation/Random.h>
+
 namespace foundation
 {
 
@@ -43,7 +45,7 @@ public:
     ContentMark& addWord(std::uint64_t word)
     {
         _sums[0] = mixed(_sums[0] ^ word, 0x100000001b3ULL);
-        _sums[1] = mixed(_sums[1] ^ (word >> 32 | word << 32), 0x9e3779b97f4a7c15ULL);
+        _sums[1] = mixed(_sums[1] ^ (word >> 32 | word << 32), SplitMix64::kStep);
         return *this;
     }
 

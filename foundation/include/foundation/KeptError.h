@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "foundation/Error.h"
+#include <foundation/Error.h>
 
 namespace foundation
 {

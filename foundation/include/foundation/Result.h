@@ -6,8 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "foundation/Error.h"
-#include "foundation/KeptError.h"
+#include <foundation/Error.h>
+#include <foundation/KeptError.h>
 
 namespace foundation
 {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include <foundation/Random.h>
+#include <glm/common.hpp>
+
 #include <osg/Image>
 
 namespace osgRoads
@@ -14,14 +17,12 @@ namespace
 
 constexpr int kSide = 256;
 
-/// A number in [0, 1) for each node of a grid. Source: the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+/// A number in [0, 1) for each node of a grid.
 double nodeValue(int x, int y, int cells, std::uint64_t seed)
 {
     const auto wrapped = [cells](int i) { return static_cast<std::uint64_t>((i % cells + cells) % cells); };
-    std::uint64_t bits = (wrapped(x) * 0x9e3779b97f4a7c15ULL) ^ (wrapped(y) * 0xd1b54a32d192ed03ULL) ^ seed;
-    bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebULL;
-    bits ^= bits >> 31U;
+    const std::uint64_t bits = foundation::mixedBits((wrapped(x) * foundation::SplitMix64::kStep) ^
+                                                     (wrapped(y) * 0xd1b54a32d192ed03ULL) ^ seed);
     return static_cast<double>(bits >> 40U) / 16777216.0;
 }
 
@@ -31,8 +32,7 @@ double noiseAt(int column, int row, int cells, std::uint64_t seed)
     const double x = static_cast<double>(column) * cells / kSide,
                  y = static_cast<double>(row) * cells / kSide;
     const int left = static_cast<int>(std::floor(x)), low = static_cast<int>(std::floor(y));
-    const auto smooth = [](double t) { return t * t * (3.0 - 2.0 * t); };
-    const double u = smooth(x - left), v = smooth(y - low);
+    const double u = glm::smoothstep(0.0, 1.0, x - left), v = glm::smoothstep(0.0, 1.0, y - low);
     const auto at = [&](int i, int j) { return nodeValue(i, j, cells, seed); };
     return (1.0 - v) * ((1.0 - u) * at(left, low) + u * at(left + 1, low)) +
            v * ((1.0 - u) * at(left, low + 1) + u * at(left + 1, low + 1));

@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 namespace osgTerrainROAM
 {
 
 namespace
 {
-
-double smoothlyStepped(double low, double high, double x)
-{
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 } // namespace
 
@@ -32,17 +28,17 @@ double GroundRule::vegetation(const GroundSite& p) const
     const double line = _climate.treeLineM + 120.0 * p.southness + 300.0 * p.noise;
     const double below = line - p.heightM;
     const double band = std::max(0.12 * _climate.treeLineM, 120.0);
-    double green = 0.30 + 0.32 * smoothlyStepped(-3.2 * band, -0.5 * band, below) +
-                   0.36 * smoothlyStepped(-0.6 * band, 1.1 * band, below);
-    green -= 0.25 * smoothlyStepped(-1.5 * band, -5.0 * band, below);
+    double green = 0.30 + 0.32 * glm::smoothstep(-3.2 * band, -0.5 * band, below) +
+                   0.36 * glm::smoothstep(-0.6 * band, 1.1 * band, below);
+    green -= 0.25 * glm::smoothstep(-1.5 * band, -5.0 * band, below);
     // Valley floors and gentle ground are open land, slopes carry the woods.
-    const double gentle = 1.0 - smoothlyStepped(0.04, 0.16, p.steepness * _slopeGain);
-    green -= 0.33 * gentle * smoothlyStepped(0.5 * band, 1.5 * band, below) *
-             smoothlyStepped(-0.25, 0.1, p.hollow + 0.5 * p.noise);
+    const double gentle = 1.0 - glm::smoothstep(0.04, 0.16, p.steepness * _slopeGain);
+    green -= 0.33 * gentle * glm::smoothstep(0.5 * band, 1.5 * band, below) *
+             glm::smoothstep(-0.25, 0.1, p.hollow + 0.5 * p.noise);
     green += 0.75 * p.noise + 0.25 * std::clamp(p.hollow, -0.6, 0.6);
     // Below the tree line roots hold slopes; above it such slopes are scree.
-    const double holds = 0.75 + 0.45 * smoothlyStepped(-band, band, below);
-    green -= 0.95 * smoothlyStepped(holds, holds + 0.7, p.steepness * _slopeGain);
+    const double holds = 0.75 + 0.45 * glm::smoothstep(-band, band, below);
+    green -= 0.95 * glm::smoothstep(holds, holds + 0.7, p.steepness * _slopeGain);
     return std::clamp(green * (1.0 - 0.72 * _climate.aridity) + 0.06 * _climate.aridity, 0.0, 1.0);
 }
 
@@ -50,8 +46,8 @@ double GroundRule::snow(const GroundSite& p) const
 {
     const double line =
         _climate.snowLineM + 250.0 * p.southness - 220.0 * std::clamp(p.hollow, -0.7, 0.7) + 350.0 * p.noise;
-    const double deep = smoothlyStepped(-450.0, 450.0, p.heightM - line);
-    return deep * (1.0 - 0.85 * smoothlyStepped(0.9, 1.7, p.steepness * _slopeGain));
+    const double deep = glm::smoothstep(-450.0, 450.0, p.heightM - line);
+    return deep * (1.0 - 0.85 * glm::smoothstep(0.9, 1.7, p.steepness * _slopeGain));
 }
 
 double GroundRule::noiseAt(double eastM, double northM) const

@@ -5,13 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include <foundation/Earth.h>
+#include <glm/common.hpp>
+
 namespace osgTerrainROAM
 {
 
 namespace
 {
 
-constexpr double kEarthRadiusM = 6371000.0;
 constexpr int kReliefSide = 192; ///< cells of the relief along the longer side
 constexpr double kWindow = 0.7;  ///< half width of the stretch of border, as a share of the distance to it
 constexpr double kHillsM[] = {6e3, 25e3, 100e3}; ///< wavelengths of the noise
@@ -22,12 +24,6 @@ constexpr double kCoastsM[] = {1.5e3, 6e3, 25e3, 100e3};
 constexpr double kSwing = 2.0, kSwingPerDistance = 1.2;
 /// How much noise adds to a share of water of one half, for six standard deviations: bays and islands.
 constexpr double kBays = 1.2;
-
-double stepped(double low, double high, double x)
-{
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 /// Folds a coordinate back into 0…last, as between two mirrors.
 double mirrored(double x, double last)
@@ -97,15 +93,15 @@ double OuterGround::hillsM(const glm::dvec2& grid, double distanceM) const
     const double onsetM = std::max(0.02 * _sideM, 8.0 * _spacingM);
     const double texelM =
         std::max(_columns.spacingAt(grid.x), _rows.spacingAt(grid.y)) * _spacingM / _tile.grid().cellSide();
-    double hills = reliefAt(grid, texelM) * stepped(0.5 * onsetM, 5.0 * onsetM, distanceM);
+    double hills = reliefAt(grid, texelM) * glm::smoothstep(0.5 * onsetM, 5.0 * onsetM, distanceM);
     const glm::dvec2 place = _localFromGrid * grid;
     for (const double wave : kHillsM)
     {
         if (wave < 0.5 * _sideM) continue;
         const double amplitude = std::min(2.0 * _relief.deviationM(), 0.012 * wave);
         const double noise = _noise.sample(place.x / (4.0 * wave), place.y / (4.0 * wave)) - 0.5;
-        hills += 3.0 * amplitude * noise * stepped(0.1 * wave, wave, distanceM) *
-                 (1.0 - stepped(wave / 6.0, wave / 2.0, texelM));
+        hills += 3.0 * amplitude * noise * glm::smoothstep(0.1 * wave, wave, distanceM) *
+                 (1.0 - glm::smoothstep(wave / 6.0, wave / 2.0, texelM));
     }
     return hills;
 }
@@ -156,7 +152,7 @@ OuterGround::Site OuterGround::at(const glm::dvec2& grid) const
         heightNear(border) - heightNear(glm::clamp(border - beyond, glm::dvec2(0.0), _last));
     double land = means.heightM + turned * std::exp(-distanceM * distanceM / (fadeM * fadeM));
     land = std::max(land + hillsM(grid, distanceM), std::min(_lowestM, means.heightM));
-    const double dry = stepped(0.0, 0.5, 0.5 - means.water);
+    const double dry = glm::smoothstep(0.0, 0.5, 0.5 - means.water);
     return {std::lerp(means.waterHeightM, land, dry), means.water};
 }
 
@@ -166,7 +162,8 @@ glm::dvec3 OuterGround::position(const glm::dvec2& grid, double heightM) const
     const glm::dvec3 at = _tile.frame().positionAt(border.x, border.y, heightM);
     const glm::dvec2 plan = glm::dvec2(at) + _localFromGrid * (grid - border);
     if (_tile.frame().placement() == core::Placement::planar) return {plan, at.z};
-    const double fallM = (glm::dot(plan, plan) - at.x * at.x - at.y * at.y) / (2.0 * kEarthRadiusM);
+    const double fallM =
+        (glm::dot(plan, plan) - at.x * at.x - at.y * at.y) / (2.0 * foundation::kEarthRadiusM);
     return {plan, at.z - fallM};
 }
 

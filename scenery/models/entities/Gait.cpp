@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
+
 namespace scenery::models
 {
 
@@ -27,7 +29,7 @@ FootPlace footPlace(const Gait& gait, const EntityMotion& motion, double offset)
     const double phase = gait.phase(motion.odometerM, offset);
     if (phase < 0.5) return {quarter * (1.0 - 4.0 * phase), 0.0, 0.0};
     const double swing = 2.0 * (phase - 0.5); // 0…1
-    const double ahead = swing * swing * (3.0 - 2.0 * swing);
+    const double ahead = glm::smoothstep(0.0, 1.0, swing);
     return {quarter * (2.0 * ahead - 1.0), gait.liftM * vigour * std::sin(std::numbers::pi * swing),
             0.7 * vigour * std::sin(std::numbers::pi * std::min(1.0, 1.6 * swing))};
 }

@@ -29,7 +29,7 @@ float tiledNoise(const glm::vec2& uv, const glm::ivec2& cells, std::uint32_t see
     const glm::vec2 low = glm::floor(place);
     const glm::ivec2 cell(low);
     const glm::vec2 t = place - low;
-    const glm::vec2 s = t * t * (3.0F - 2.0F * t);
+    const glm::vec2 s = glm::smoothstep(0.0F, 1.0F, t);
     const auto value = [&](int x, int y) { return latticeValue(cell + glm::ivec2(x, y), cells, seed); };
     return glm::mix(glm::mix(value(0, 0), value(1, 0), s.x), glm::mix(value(0, 1), value(1, 1), s.x), s.y);
 }

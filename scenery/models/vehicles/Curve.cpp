@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include <glm/common.hpp>
+
 namespace scenery::models
 {
 
@@ -34,7 +36,7 @@ double Curve::operator()(double at) const
     const double h = b.at - a.at;
     const double t = (at - a.at) / h;
     const double s = 1.0 - t;
-    return s * s * (1.0 + 2.0 * t) * a.value + t * t * (3.0 - 2.0 * t) * b.value +
+    return s * s * (1.0 + 2.0 * t) * a.value + glm::smoothstep(0.0, 1.0, t) * b.value +
            h * t * s * (s * _slopes[i] - t * _slopes[i + 1]);
 }
 

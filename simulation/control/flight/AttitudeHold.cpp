@@ -28,7 +28,8 @@ SurfaceInputs AttitudeHold::step(const FlightSense& sense, double pitch, double 
     _elevator = std::clamp(_elevator - gain * kPitchIntegralGain * pitchError * stepS, -kFarthestElevator,
                            kFarthestElevator);
     // In a turn the nose must rise and turn with it: rates of a steady turn are not damped.
-    const double turnRate = kStandardGravity * std::tan(std::clamp(sense.roll, -1.0, 1.0)) / speed;
+    const double turnRate =
+        foundation::kStandardGravityMps2 * std::tan(std::clamp(sense.roll, -1.0, 1.0)) / speed;
     const double turnPitchRate = turnRate * std::sin(sense.roll) * std::cos(sense.pitch);
     const double turnYawRate = turnRate * std::cos(sense.roll) * std::cos(sense.pitch);
     SurfaceInputs inputs;

@@ -24,7 +24,8 @@ constexpr double kRollInS = 2.0;
 /// How far ahead a turn by a right angle begins.
 double leadM(const FlightSense& sense)
 {
-    return sense.groundSpeedMps * sense.groundSpeedMps / (kStandardGravity * std::tan(kTurnBankRad)) +
+    return sense.groundSpeedMps * sense.groundSpeedMps /
+               (foundation::kStandardGravityMps2 * std::tan(kTurnBankRad)) +
            kRollInS * sense.groundSpeedMps;
 }
 

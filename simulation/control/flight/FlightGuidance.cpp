@@ -42,7 +42,7 @@ double bankToHeading(const FlightSense& sense, double heading, double mostBank)
     // The wind's drift is part of neither: to a heading by the heading.
     const double rate = halfTurn(heading - sense.heading) / kTurnTimeS;
     const double speed = std::max(sense.trueAirspeedMps, 15.0);
-    return std::clamp(std::atan(rate * speed / kStandardGravity), -mostBank, mostBank);
+    return std::clamp(std::atan(rate * speed / foundation::kStandardGravityMps2), -mostBank, mostBank);
 }
 
 double bankToLine(const FlightSense& sense, const CourseLine& line, double mostBank)
@@ -50,7 +50,8 @@ double bankToLine(const FlightSense& sense, const CourseLine& line, double mostB
     const double lean = std::atan(line.besideM(sense.position) / kLineLeadM);
     const double track = line.course - std::clamp(lean, -kSteepestLean, kSteepestLean);
     const double rate = halfTurn(track - sense.track) / kTurnTimeS;
-    return std::clamp(std::atan(rate * sense.groundSpeedMps / kStandardGravity), -mostBank, mostBank);
+    return std::clamp(std::atan(rate * sense.groundSpeedMps / foundation::kStandardGravityMps2), -mostBank,
+                      mostBank);
 }
 
 double SpeedAndClimb::speedRate(double speedMps, double stepS)

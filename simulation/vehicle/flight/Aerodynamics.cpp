@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <foundation/Angle.h>
+#include <glm/common.hpp>
 
 namespace simulation
 {
@@ -62,8 +63,7 @@ ReducedRates reducedRates(const AircraftData& aircraft, const AirData& air)
 double plateShare(double degrees, double leastDeg, double mostDeg)
 {
     const double outside = std::max(leastDeg - degrees, degrees - mostDeg);
-    const double share = std::clamp(outside / kBlendDeg, 0.0, 1.0);
-    return share * share * (3.0 - 2.0 * share);
+    return glm::smoothstep(0.0, kBlendDeg, outside);
 }
 
 double plateShareOfAlpha(const AircraftData& aircraft, double alphaDeg)

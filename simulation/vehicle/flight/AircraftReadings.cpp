@@ -45,8 +45,8 @@ FlightReadings Aircraft::readings() const
     readings.alphaDeg = foundation::degreesOf(loads.air.alpha);
     readings.betaDeg = foundation::degreesOf(loads.air.beta);
     readings.massKg = mass.massKg;
-    readings.loadFactor = -loads.load.force.z / (readings.massKg * kStandardGravity);
-    readings.sideLoad = loads.load.force.y / (readings.massKg * kStandardGravity);
+    readings.loadFactor = -loads.load.force.z / (readings.massKg * foundation::kStandardGravityMps2);
+    readings.sideLoad = loads.load.force.y / (readings.massKg * foundation::kStandardGravityMps2);
     readings.pressurePa = air.pressurePa;
     readings.heightAboveGroundM = _heightAboveGroundM;
     readings.engineRpm = _state.engineRadps * 30.0 / std::numbers::pi;
@@ -67,7 +67,7 @@ double Aircraft::energyJ() const
     const double height = _earth->placeAt(motion.position).geodetic.heightM;
     return 0.5 * mass.massKg * glm::dot(motion.velocity, motion.velocity) +
            0.5 * glm::dot(motion.rates, mass.inertia * motion.rates) +
-           mass.massKg * kStandardGravity * height;
+           mass.massKg * foundation::kStandardGravityMps2 * height;
 }
 
 } // namespace simulation

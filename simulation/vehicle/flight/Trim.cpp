@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <foundation/Angle.h>
+#include <foundation/Earth.h>
 
 #include "simulation/vehicle/StandardAtmosphere.h"
 
@@ -102,11 +103,10 @@ private:
 /// The turning of a steady flight in the scene: about up in a turn, and over the round Earth.
 glm::dvec3 Search::turningOf(const glm::dvec3& velocity, double roll) const
 {
-    constexpr double kEarthRadiusM = 6.371e6;
-    const glm::dvec3 over = glm::cross(_place.up, velocity) / kEarthRadiusM;
+    const glm::dvec3 over = glm::cross(_place.up, velocity) / foundation::kEarthRadiusM;
     if (!isTurn()) return over;
     const double flat = glm::length(velocity - glm::dot(velocity, _place.up) * _place.up);
-    return over - _place.up * (kStandardGravity * std::tan(roll) / std::max(flat, 1.0));
+    return over - _place.up * (foundation::kStandardGravityMps2 * std::tan(roll) / std::max(flat, 1.0));
 }
 
 TrimmedFlight Search::flightOf(const Vector& x) const

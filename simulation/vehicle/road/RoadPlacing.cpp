@@ -168,7 +168,7 @@ double RoadVehicle::energyJ() const
     const glm::dvec3 rates = glm::conjugate(_motion.bodyToScene) * _motion.rates;
     double energy = 0.5 * _mass.massKg * glm::dot(_motion.velocity, _motion.velocity) +
                     0.5 * glm::dot(rates, _mass.inertiaKgM2 * rates) +
-                    _mass.massKg * kStandardGravity * _motion.position.z;
+                    _mass.massKg * foundation::kStandardGravityMps2 * _motion.position.z;
     for (std::size_t i = 0; i < 4; ++i)
         energy += 0.5 * _data->axles[i / 2].wheelInertiaKgM2 * _wheels[i].radps * _wheels[i].radps;
     return energy;

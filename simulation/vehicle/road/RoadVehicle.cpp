@@ -128,7 +128,8 @@ void RoadVehicle::prepare(const Ground& ground, const Air& air)
 {
     if (_status.condition == VehicleCondition::failed) return;
     _before = _motion;
-    _gravity = _earth ? _earth->gravityAt(_motion.position) : glm::dvec3(0.0, 0.0, -kStandardGravity);
+    _gravity = _earth ? _earth->gravityAt(_motion.position)
+                      : glm::dvec3(0.0, 0.0, -foundation::kStandardGravityMps2);
     _world->setGravity(_body, _gravity);
     steer();
     _drivetrain.choose(_inputs, shaftRadps(), kStepS);

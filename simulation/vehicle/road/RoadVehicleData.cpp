@@ -32,7 +32,7 @@ RoadMassProperties massProperties(const RoadVehicleData& vehicle)
 std::array<double, 2> restLoads(const RoadVehicleData& vehicle)
 {
     const RoadMassProperties mass = massProperties(vehicle);
-    const double weightN = mass.massKg * kStandardGravity;
+    const double weightN = mass.massKg * foundation::kStandardGravityMps2;
     const double front = (mass.centre.x - vehicle.axles[1].xM) / vehicle.wheelbaseM();
     return {0.5 * weightN * front, 0.5 * weightN * (1.0 - front)};
 }

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include <foundation/Random.h>
+#include <glm/common.hpp>
+
 namespace simulation
 {
 
@@ -13,7 +16,7 @@ namespace
 /// A number of -1…1 for a point of the lattice.
 double latticeValue(std::int64_t x, std::int64_t y)
 {
-    std::uint64_t bits = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15U +
+    std::uint64_t bits = static_cast<std::uint64_t>(x) * foundation::SplitMix64::kStep +
                          static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4FU;
     bits ^= bits >> 31U;
     bits *= 0x7FB5D329728EA185U;
@@ -27,8 +30,7 @@ double smoothNoise(double x, double y)
 {
     const double left = std::floor(x), low = std::floor(y);
     const auto column = static_cast<std::int64_t>(left), row = static_cast<std::int64_t>(low);
-    const auto ease = [](double share) { return share * share * (3.0 - 2.0 * share); };
-    const double u = ease(x - left), v = ease(y - low);
+    const double u = glm::smoothstep(0.0, 1.0, x - left), v = glm::smoothstep(0.0, 1.0, y - low);
     const double first = latticeValue(column, row) * (1.0 - u) + latticeValue(column + 1, row) * u;
     const double second = latticeValue(column, row + 1) * (1.0 - u) + latticeValue(column + 1, row + 1) * u;
     return first * (1.0 - v) + second * v;

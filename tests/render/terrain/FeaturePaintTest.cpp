@@ -293,8 +293,9 @@ TEST(FeaturePaint, ARunwayIsSeenFromFinal)
     EXPECT_LT(byMap, 0.7) << "the control: the far map alone blurs it";
 }
 
-/// How much brighter than the asphalt beside it the marks of a runway are, in levels of its pixels: the middle
-/// line's longest dash and the bars of the threshold, looked at from a height of 300 m. `define`: of a quality.
+/// How much brighter than the asphalt beside it the marks of a runway are, in levels of its pixels: the
+/// middle line's longest dash and the bars of the threshold, looked at from a height of 300 m. `define`: of a
+/// quality.
 std::array<double, 2> marksBesideAsphalt(const std::string& define, const std::string& mutated = "")
 {
     const auto terrain = plain({line(FeatureKind::runway, 45.0, {20000.0, 20000.0}, {20000.0, 22000.0})});

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <unordered_set>
 
+#include <foundation/Random.h>
+
 #include <osgMultiTriangulation/core/input/PointDistribution.h>
 
 namespace osgMultiTriangulation::core
@@ -12,19 +14,13 @@ namespace osgMultiTriangulation::core
 namespace
 {
 
-/// SplitMix64: Steele, Lea & Flood, *Fast splittable pseudorandom number generators* (2014).
+/// Random numbers, the same on every machine.
 class Numbers
 {
 public:
-    explicit Numbers(std::uint64_t seed) : _state(seed) {}
+    explicit Numbers(std::uint64_t seed) : _bits(seed) {}
 
-    std::uint64_t next()
-    {
-        std::uint64_t z = (_state += 0x9e3779b97f4a7c15ull);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-        return z ^ (z >> 31);
-    }
+    std::uint64_t next() { return _bits(); }
 
     /// Above 0 and below 1.
     double unit() { return (static_cast<double>(next() >> 12) + 0.5) * 0x1p-52; }
@@ -45,7 +41,7 @@ public:
     }
 
 private:
-    std::uint64_t _state;
+    foundation::SplitMix64 _bits;
 };
 
 double hillHeight(double x, double y)

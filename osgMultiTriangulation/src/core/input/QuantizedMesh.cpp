@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include <foundation/Earth.h>
+
 #include <osgMultiTriangulation/core/input/TinFile.h>
 
 namespace osgMultiTriangulation::core
@@ -14,7 +16,7 @@ namespace
 {
 
 constexpr double kQuantum = 32767.0;
-constexpr double kEarthM = 6378137.0, kFlattening = 1.0 / 298.257223563;
+constexpr double kEarthM = foundation::kWgs84RadiusM, kFlattening = foundation::kWgs84Flattening;
 constexpr double kMetresOfDegree = kEarthM * std::numbers::pi / 180.0;
 
 /// Reads little-endian values one after the other.

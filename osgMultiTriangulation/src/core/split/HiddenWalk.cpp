@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <foundation/Random.h>
+
 #include <osgMultiTriangulation/core/structure/ErrorCode.h>
 
 namespace osgMultiTriangulation::core
@@ -15,10 +17,8 @@ namespace
 
 std::uint32_t chanceOf(const SurfacePoint& point)
 {
-    std::uint64_t z = std::uint64_t(std::uint32_t(point.x)) << 32 | std::uint32_t(point.y);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull; // the mixing of SplitMix64
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return static_cast<std::uint32_t>(z ^ (z >> 31));
+    return static_cast<std::uint32_t>(
+        foundation::mixedBits(std::uint64_t(std::uint32_t(point.x)) << 32 | std::uint32_t(point.y)));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <bit>
 
+#include <foundation/Random.h>
+
 #include <osgMultiTriangulation/core/spool/SurfaceSpool.h>
 
 namespace osgMultiTriangulation::core
@@ -12,7 +14,7 @@ namespace
 /// Adds a word to a sum in which every place counts (the step of FNV-1a on words).
 std::uint32_t mixed(std::uint32_t sum, std::uint64_t word)
 {
-    std::uint64_t state = (sum ^ word) * 0x9e3779b97f4a7c15ull;
+    std::uint64_t state = (sum ^ word) * foundation::SplitMix64::kStep;
     state ^= state >> 29;
     return static_cast<std::uint32_t>(state ^ (state >> 32));
 }

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <vector>
 
+#include <foundation/Random.h>
+
 #include <osgMultiTriangulation/core/input/TinFile.h>
 #include <osgMultiTriangulation/core/spool/InputSpool.h>
 
@@ -93,8 +95,8 @@ private:
         const std::uint64_t groups = _points.size() / kPointsAtOnce * 2 + 1;
         const auto groupOf = [groups](const SurfacePoint& p)
         {
-            const std::uint64_t mixed =
-                (std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y)) * 0x9e3779b97f4a7c15ull;
+            const std::uint64_t mixed = (std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y)) *
+                                        foundation::SplitMix64::kStep;
             return static_cast<std::uint32_t>((mixed >> 32) % groups);
         };
         std::vector<std::uint64_t> counts(groups, 0);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <shared_mutex>
 
+#include <glm/common.hpp>
+
 #include <osgTerrainROAM/core/edit/GroundEditor.h>
 #include <osgTerrainROAM/core/edit/NearestPlane.h>
 
@@ -62,7 +64,7 @@ foundation::Result<EditReport> GroundEditor::applyIn(const Region& region, const
             const double insideM = region.insideM(place);
             if (insideM < 0.0) return heightM;
             const double share = _fadeM > 0.0 ? std::min(insideM / _fadeM, 1.0) : 1.0;
-            return std::lerp(heightM, rule(place, heightM), share * share * (3.0 - 2.0 * share));
+            return std::lerp(heightM, rule(place, heightM), glm::smoothstep(0.0, 1.0, share));
         },
         {&box, 1});
 }

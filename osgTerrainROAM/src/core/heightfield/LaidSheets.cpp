@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include <osgTerrainROAM/core/heightfield/TileSamples.h>
 
 namespace osgTerrainROAM::core
@@ -116,7 +118,8 @@ void TileSamples::fade(DensePart& part) const
         const float belowM = surfaceM((part.west << _grid.exponent()) + c * step,
                                       (part.south << _grid.exponent()) + r * step, _sheets.size());
         float& heightM = part.heightsM[index(c, r)];
-        heightM = static_cast<float>(std::lerp(double{belowM}, double{heightM}, t * t * (3.0 - 2.0 * t)));
+        heightM =
+            static_cast<float>(std::lerp(double{belowM}, double{heightM}, glm::smoothstep(0.0, 1.0, t)));
     };
     for (int r = 0; r <= rows; ++r)
         for (int c = 0; c <= columns; ++c)

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstddef>
 
+#include <foundation/Random.h>
+
 namespace osgTerrainROAM::core
 {
 
@@ -26,7 +28,7 @@ std::size_t hashOf(GridPoint p)
 {
     const std::uint64_t key =
         std::uint64_t{static_cast<std::uint32_t>(p.row)} << 32 | static_cast<std::uint32_t>(p.column);
-    const std::uint64_t mixed = (key ^ key >> 29) * 0x9E3779B97F4A7C15u; // 2^64 over the golden ratio
+    const std::uint64_t mixed = (key ^ key >> 29) * foundation::SplitMix64::kStep;
     return mixed >> 20;
 }
 
