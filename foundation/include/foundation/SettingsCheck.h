@@ -23,7 +23,9 @@ public:
     SettingsCheck& within(const char* field, double value, double least,
                           double most = std::numeric_limits<double>::max())
     {
-        return require(value >= least && value <= most, field, "is " + text(value),
+        if (value >= least && value <= most)
+            return *this; // no words where nothing is wrong: fields check each of their objects
+        return require(false, field, "is " + text(value),
                        isLargest(most) ? "give a finite number of at least " + text(least)
                                        : "give a number from " + text(least) + " to " + text(most));
     }
@@ -32,7 +34,8 @@ public:
     SettingsCheck& above(const char* field, double value, double limit,
                          double most = std::numeric_limits<double>::max())
     {
-        return require(value > limit && value <= most, field, "is " + text(value),
+        if (value > limit && value <= most) return *this;
+        return require(false, field, "is " + text(value),
                        "give a " + std::string(isLargest(most) ? "finite " : "") + "number above " +
                            text(limit) + (isLargest(most) ? "" : ", at most " + text(most)));
     }

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -19,12 +18,15 @@ inline Result<std::string> readWholeText(const std::filesystem::path& file, std:
 {
     if (const auto readable = checkReadable(file); !readable) return readable.error();
     std::error_code code;
-    if (std::filesystem::file_size(file, code) > mostBytes || code)
+    const std::uintmax_t size = std::filesystem::file_size(file, code);
+    if (size > mostBytes || code)
         return Error{file.string(), "is larger than " + std::to_string(mostBytes >> 20) + " MiB",
                      "shorten it"};
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
+    std::string text(static_cast<std::size_t>(size), '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount())); // it may have become shorter
+    return text;
 }
 
 } // namespace foundation
