@@ -7,6 +7,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <foundation/KeptResults.h>
 
@@ -34,7 +35,7 @@ std::string bytesOfChain(const std::vector<Picture>& chain)
 }
 
 /// Absent: they are not what bytesOfChain() wrote.
-std::optional<std::vector<Picture>> chainIn(const std::string& bytes)
+std::optional<std::vector<Picture>> chainIn(std::string_view bytes)
 {
     constexpr std::uint32_t kMostSide = 16384;
     Sides sides{};

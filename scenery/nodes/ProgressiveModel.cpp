@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/ProgressiveModel.h"
 
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <foundation/ForEachAtOnce.h>
@@ -12,6 +14,7 @@
 #include <osg/Matrixd>
 #include <osg/Texture>
 
+#include <osgPMObjects/core/field/FieldLevels.h>
 #include <osgPMObjects/core/progressive/PmFile.h>
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
@@ -45,9 +48,9 @@ foundation::ContentMark markOf(const core::Mesh& mesh)
 }
 
 /// Absent: they are not what pmBytes() wrote.
-std::optional<core::ProgressiveMesh> levelsIn(const std::string& bytes)
+std::optional<core::ProgressiveMesh> levelsIn(std::string_view bytes)
 {
-    std::istringstream stream(bytes);
+    std::istringstream stream{std::string(bytes)};
     core::PmReader reader(stream, "kept levels");
     while (true)
     {
@@ -68,21 +71,47 @@ core::ProgressiveMesh madeLevels(core::Mesh mesh)
     return core::buildProgressiveMesh(mesh, sequence, settings);
 }
 
-} // namespace
-
-core::ProgressiveMesh progressiveOf(core::Mesh mesh, const foundation::KeptResults& kept)
+core::ProgressiveMesh levelsOf(core::Mesh mesh, const foundation::ContentMark& mark,
+                               const foundation::KeptResults& kept)
 {
     core::PmSettings whole;
     whole.stepSections = 1;
-    const foundation::ContentMark mark = markOf(mesh);
     return kept.findOrMake(
         "levels", mark, levelsIn, [&] { return madeLevels(std::move(mesh)); },
         [&](const core::ProgressiveMesh& made) { return core::pmBytes(made, whole); });
 }
 
+core::FieldLevels fieldLevelsOf(const osgPMObjects::ProgressiveShape& shape,
+                                const foundation::ContentMark& mark, const foundation::KeptResults& kept)
+{
+    return kept.findOrMake(
+        "ladder", mark,
+        [&](std::string_view bytes) { return core::fieldLevelsIn(bytes, shape.progressive()); },
+        [&] { return core::FieldLevels::of(shape.progressive(), shape.levels()); }, &core::bytesOf);
+}
+
+} // namespace
+
+core::ProgressiveMesh progressiveOf(core::Mesh mesh, const foundation::KeptResults& kept)
+{
+    const foundation::ContentMark mark = markOf(mesh);
+    return levelsOf(std::move(mesh), mark, kept);
+}
+
 core::ProgressiveMesh progressiveOf(core::Mesh mesh)
 {
     return progressiveOf(std::move(mesh), foundation::KeptResults::ofUser());
+}
+
+osg::ref_ptr<const osgPMObjects::ProgressiveShape>
+fieldShapeOf(core::Mesh mesh, std::vector<osg::ref_ptr<osg::StateSet>> states,
+             const foundation::KeptResults& kept)
+{
+    const foundation::ContentMark mark = markOf(mesh);
+    const osg::ref_ptr<osgPMObjects::ProgressiveShape> shape =
+        new osgPMObjects::ProgressiveShape(levelsOf(std::move(mesh), mark, kept), std::move(states));
+    shape->setFieldLevels(std::make_shared<const core::FieldLevels>(fieldLevelsOf(*shape, mark, kept)));
+    return shape;
 }
 
 namespace
@@ -109,12 +138,10 @@ makeProgressiveModels(std::vector<models::Model> models)
         useIsotropicTextures(statesOf.back());
     }
     std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>> shapes(models.size());
-    foundation::forEachAtOnce(models.size(),
-                              [&](std::size_t i)
-                              {
-                                  shapes[i] = new osgPMObjects::ProgressiveShape(
-                                      progressiveOf(std::move(models[i].mesh)), std::move(statesOf[i]));
-                              });
+    const foundation::KeptResults kept = foundation::KeptResults::ofUser();
+    foundation::forEachAtOnce(
+        models.size(), [&](std::size_t i)
+        { shapes[i] = fieldShapeOf(std::move(models[i].mesh), std::move(statesOf[i]), kept); });
     return shapes;
 }
 

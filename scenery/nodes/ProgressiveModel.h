@@ -26,6 +26,11 @@ osgPMObjects::core::ProgressiveMesh progressiveOf(osgPMObjects::core::Mesh mesh,
 /// The same with those of the user.
 osgPMObjects::core::ProgressiveMesh progressiveOf(osgPMObjects::core::Mesh mesh);
 
+/// Makes a shape for fields, with what they draw it by, or finds both among the kept ones.
+osg::ref_ptr<const osgPMObjects::ProgressiveShape>
+fieldShapeOf(osgPMObjects::core::Mesh mesh, std::vector<osg::ref_ptr<osg::StateSet>> states,
+             const foundation::KeptResults& kept);
+
 /// Makes generated models progressive, in their order, several at once. They share their textures.
 /// Anisotropic filtering is off: it made a frame of some thousand trees take ten times as long on llvmpipe.
 std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>>

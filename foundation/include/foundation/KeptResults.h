@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -14,9 +15,9 @@
 
 #include <foundation/CacheFolder.h>
 #include <foundation/ContentMark.h>
+#include <foundation/MappedFile.h>
 #include <foundation/ProgramMark.h>
 #include <foundation/WholeFile.h>
-#include <foundation/WholeText.h>
 #include <unistd.h>
 
 namespace foundation
@@ -26,13 +27,13 @@ namespace foundation
 /// it follows from: the program and its libraries, and the computation's inputs. So a result is found only
 /// where computing it again would give the same bytes. A file that is missing, cut off or damaged is no
 /// result; keeping the result anew replaces it. What cannot be written is not kept, which is no error.
-/// Memory: a folder holds up to `mostBytes`, and one file a quarter of that; what was not asked for the
-/// longest time is removed first.
+/// Memory: a folder holds up to `mostBytes` and a sixty-fourth, and one file a quarter of that; what was not
+/// asked for the longest time is removed first.
 /// Threads: any number, in any number of processes.
 class KeptResults
 {
 public:
-    static constexpr std::uintmax_t kMostBytes = std::uintmax_t{512} << 20;
+    static constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 
     /// Keeps nothing and finds nothing.
     KeptResults() = default;
@@ -50,23 +51,17 @@ public:
     /// Those of the user who runs the program: "made" in cacheFolder().
     static KeptResults ofUser()
     {
+        // Once: drivers and plugins that are loaded later are no part of the program.
+        static const std::optional<ContentMark> program = ProgramMark::ofThis();
         const std::filesystem::path cache = cacheFolder();
-        return cache.empty() ? KeptResults() : KeptResults(cache / "made");
+        return cache.empty() ? KeptResults() : KeptResults(cache / "made", program);
     }
 
     /// Returns the bytes kept under a name and a mark of the inputs.
     std::optional<std::string> find(std::string_view name, const ContentMark& inputs) const
     {
-        if (_folder.empty()) return std::nullopt;
-        const std::filesystem::path file = fileOf(name, inputs);
-        std::error_code failed;
-        if (!std::filesystem::is_regular_file(file, failed)) return std::nullopt;
-        auto text = readWholeText(file, _mostBytes);
-        if (!text || text->size() < kHeadBytes) return std::nullopt;
-        std::string bytes = text->substr(kHeadBytes);
-        if (std::string_view(*text).substr(0, kHeadBytes) != headOf(bytes)) return std::nullopt;
-        std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), failed);
-        return bytes;
+        const auto file = findFile(name, inputs);
+        return file ? std::optional<std::string>(file->text().substr(kHeadBytes)) : std::nullopt;
     }
 
     void keep(std::string_view name, const ContentMark& inputs, std::string_view bytes) const
@@ -80,20 +75,28 @@ public:
         std::string text = headOf(bytes);
         text += bytes;
         (void)writeWholeFile(fileOf(name, inputs), text, ending); // one that cannot be kept is made again
+        // Looking at each file of the folder is not for every file that is written.
+        if ((_unchecked += text.size()) < _mostBytes / 64) return;
+        _unchecked = 0;
         removeOldest();
     }
 
     /// Returns the result kept under a name and a mark of the inputs, or makes it and keeps it. `read`: takes
-    /// the bytes, and returns an optional that is absent where `write` did not write them; `write`: returns
-    /// the bytes of a result.
+    /// the bytes as a string_view, and returns an optional that is absent where `write` did not write them;
+    /// `write`: returns the bytes of a result. `make` may return a Result: failures are not kept.
     template<class Read, class Make, class Write>
     auto findOrMake(std::string_view name, const ContentMark& inputs, const Read& read, const Make& make,
                     const Write& write) const -> decltype(make())
     {
-        if (const auto bytes = find(name, inputs))
-            if (auto found = read(*bytes)) return *std::move(found);
+        if (const auto file = findFile(name, inputs))
+            if (auto found = read(file->text().substr(kHeadBytes))) return *std::move(found);
         auto made = make();
-        keep(name, inputs, write(made));
+        if constexpr (requires { made.error(); })
+        {
+            if (made) keep(name, inputs, write(*made));
+        }
+        else
+            keep(name, inputs, write(made));
         return made;
     }
 
@@ -112,6 +115,22 @@ private:
     static std::string headOf(std::string_view bytes)
     {
         return std::string(kMagic) + ContentMark().add(bytes).text() + '\n';
+    }
+
+    /// Whole and undamaged; absent: there is none such. It is mapped: results of many megabytes are not
+    /// copied once more.
+    std::optional<MappedFile> findFile(std::string_view name, const ContentMark& inputs) const
+    {
+        if (_folder.empty()) return std::nullopt;
+        const std::filesystem::path path = fileOf(name, inputs);
+        auto file = MappedFile::open(path);
+        if (!file) return std::nullopt;
+        const std::string_view text = file->text();
+        if (text.size() < kHeadBytes || text.substr(0, kHeadBytes) != headOf(text.substr(kHeadBytes)))
+            return std::nullopt;
+        std::error_code failed;
+        std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), failed);
+        return std::move(*file);
     }
 
     std::filesystem::path fileOf(std::string_view name, ContentMark inputs) const
@@ -143,6 +162,8 @@ private:
     std::filesystem::path _folder;
     ContentMark _program;
     std::uintmax_t _mostBytes = kMostBytes;
+    mutable std::atomic<std::uintmax_t> _unchecked =
+        kMostBytes; ///< written since removeOldest(); at first, by others
 };
 
 } // namespace foundation

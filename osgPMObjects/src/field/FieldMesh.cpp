@@ -33,31 +33,32 @@ osg::ref_ptr<osg::DrawElements> elementsOf(const std::vector<core::Triangle>& fa
 
 FieldMesh::FieldMesh(osg::ref_ptr<const ProgressiveShape> shape)
     : _shape(shape),
-      _ladder(core::LevelLadder::of(_shape->progressive(), _shape->levels())),
-      _growth(core::CrownGrowth::of(_shape->progressive(), _ladder))
+      _levels(_shape->fieldLevels() ? _shape->fieldLevels()
+                                    : std::make_shared<const core::FieldLevels>(
+                                          core::FieldLevels::of(_shape->progressive(), _shape->levels())))
 {
     addArrays();
     const bool isNarrow =
         _shape->vertices().size() <= std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1;
-    _indices = isNarrow ? elementsOf<osg::DrawElementsUShort>(_ladder.faces)
-                        : elementsOf<osg::DrawElementsUInt>(_ladder.faces);
+    _indices = isNarrow ? elementsOf<osg::DrawElementsUShort>(_levels->ladder.faces)
+                        : elementsOf<osg::DrawElementsUInt>(_levels->ladder.faces);
 }
 
 /// The shape's, with the offsets of leaves where there are some.
 void FieldMesh::addArrays()
 {
     osg::ref_ptr<osg::Vec3Array> offsets;
-    if (!_growth.offsets.empty())
+    if (!_levels->growth.offsets.empty())
     {
         offsets = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
-        for (const glm::vec3& offset : _growth.offsets)
+        for (const glm::vec3& offset : _levels->growth.offsets)
             offsets->push_back({offset.x, offset.y, offset.z});
         offsets->setVertexBufferObject(new osg::VertexBufferObject);
     }
     const auto grows = [&](std::uint32_t group)
     {
-        for (std::size_t i = group; i < _growth.scales.size(); i += _ladder.groups)
-            if (_growth.scales[i] != 1.0F) return true;
+        for (std::size_t i = group; i < _levels->growth.scales.size(); i += _levels->ladder.groups)
+            if (_levels->growth.scales[i] != 1.0F) return true;
         return false;
     };
     for (std::uint32_t group = 0; group < _shape->groups().size(); ++group)
@@ -77,7 +78,7 @@ bool FieldMesh::hasLeaves(std::uint32_t group) const
 void FieldMesh::addTargets()
 {
     if (!_morphing.empty()) return;
-    const LadderTargets targets(*_shape, _ladder);
+    const LadderTargets targets(*_shape, _levels->ladder);
     for (const auto& arrays : _settled)
         _morphing.push_back(targets.geometryOf(*arrays));
 }
@@ -90,12 +91,15 @@ const osg::Geometry& FieldMesh::arrays(std::uint32_t group, bool withTargets) co
 void FieldMesh::draw(osg::State& state, std::uint32_t rung, std::uint32_t group,
                      std::uint32_t instances) const
 {
-    const core::SlotRange faces = _ladder.facesOf(rung, group);
+    const core::SlotRange faces = _levels->ladder.facesOf(rung, group);
     if (faces.count == 0) return;
     if (hasLeaves(group))
     {
         const auto scaleAt = [&](std::size_t r)
-        { return _growth.scales[std::min(r, _ladder.rungs.size() - 1) * _ladder.groups + group]; };
+        {
+            return _levels->growth
+                .scales[std::min(r, _levels->ladder.rungs.size() - 1) * _levels->ladder.groups + group];
+        };
         state.get<osg::GLExtensions>()->glVertexAttrib2f(kLeafScaleAttribute, scaleAt(rung),
                                                          scaleAt(rung + 1));
     }
@@ -112,7 +116,7 @@ void FieldMesh::draw(osg::State& state, std::uint32_t rung, std::uint32_t group,
 
 const std::vector<osg::ref_ptr<osg::Geometry>>& FieldMesh::finest() const
 {
-    std::call_once(_finestMade, [this] { _finest = finestFaces(*_shape, _ladder); });
+    std::call_once(_finestMade, [this] { _finest = finestFaces(*_shape, _levels->ladder); });
     return _finest;
 }
 

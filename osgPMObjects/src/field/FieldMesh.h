@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <vector>
 
 #include <osg/Geometry>
 
-#include <osgPMObjects/core/field/CrownGrowth.h>
+#include <osgPMObjects/core/field/FieldLevels.h>
 
 #include <osgPMObjects/ProgressiveShape>
 
@@ -26,7 +27,7 @@ public:
     void addTargets();
 
     const ProgressiveShape& shape() const { return *_shape; }
-    const core::LevelLadder& ladder() const { return _ladder; }
+    const core::LevelLadder& ladder() const { return _levels->ladder; }
 
     /// Whether leaf cards of a group grow.
     bool hasLeaves(std::uint32_t group) const;
@@ -37,7 +38,7 @@ public:
     /// Whether a group of a rung has faces, and so takes a draw.
     bool hasFaces(std::uint32_t rung, std::uint32_t group) const
     {
-        return _ladder.facesOf(rung, group).count > 0;
+        return _levels->ladder.facesOf(rung, group).count > 0;
     }
 
     /// Draws a group of a rung so many times, from the arrays that are set; sets what leaves grow by.
@@ -56,8 +57,7 @@ private:
     void addArrays();
 
     osg::ref_ptr<const ProgressiveShape> _shape;
-    core::LevelLadder _ladder;
-    core::CrownGrowth _growth;
+    std::shared_ptr<const core::FieldLevels> _levels;
     osg::ref_ptr<osg::DrawElements> _indices;
     std::vector<osg::ref_ptr<osg::Geometry>> _settled, _morphing; ///< by group
     mutable std::once_flag _finestMade;

@@ -51,6 +51,7 @@ ProgressiveShape::ProgressiveShape(const ProgressiveShape& other, const osg::Cop
       _states(other._states),
       _levels(other._levels),
       _facing(other._facing),
+      _fieldLevels(other._fieldLevels),
       _origin(other._origin),
       _vertices(other._vertices),
       _groups(other._groups),
@@ -67,6 +68,7 @@ void ProgressiveShape::make(core::ProgressiveMesh progressive,
     _states = std::move(states);
     _levels = core::LevelTable::of(_progressive);
     _facing = core::facingBinsOf(core::meshAfter(_progressive, 0));
+    _fieldLevels = nullptr;
     const glm::dvec3 origin = floatOrigin(_progressive.mesh.positions);
     _origin.set(origin.x, origin.y, origin.z);
     const ShapeArrays arrays(_progressive, origin);

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdlib>
-#include <fstream>
-#include <map>
-#include <optional>
 #include <string>
 
 #include <foundation/KeptResults.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
+#include <osgPMObjects/core/field/FieldLevels.h>
 #include <osgPMObjects/core/progressive/PmFile.h>
 
+#include "KeptFiles.h"
 #include "TestFolder.h"
 #include "scenery/models/Catalogue.h"
 #include "scenery/models/paint/MipChain.h"
@@ -26,60 +23,15 @@ namespace fs = std::filesystem;
 using foundation::KeptResults;
 using scenery::models::Kind;
 using scenery::models::Painting;
+using testsupport::filesIn;
+using testsupport::UserCache;
+using testsupport::writeNonsense;
 
 std::string levelsOf(const KeptResults& kept)
 {
     return osgPMObjects::core::pmBytes(
         scenery::progressiveOf(scenery::models::generate(Kind::barn, 3).mesh, kept));
 }
-
-/// Which file each name stands for: one that was written anew is another.
-std::map<std::string, ino_t> filesIn(const fs::path& folder)
-{
-    std::map<std::string, ino_t> files;
-    for (const auto& entry : fs::directory_iterator(folder))
-    {
-        struct stat about
-        {
-        };
-        EXPECT_EQ(stat(entry.path().c_str(), &about), 0);
-        files[entry.path().filename()] = about.st_ino;
-    }
-    return files;
-}
-
-/// Leaves the head of each file right for contents that are not.
-void writeNonsense(const fs::path& folder)
-{
-    for (const auto& entry : fs::directory_iterator(folder))
-    {
-        if (!entry.is_regular_file()) continue;
-        const std::string whole = testsupport::bytesOf(entry.path());
-        const std::size_t head = whole.find('\n', whole.find('\n') + 1) + 1;
-        const std::string bytes = whole.substr(head, (whole.size() - head) / 2);
-        const std::string text = whole.substr(0, whole.find('\n') + 1) +
-                                 foundation::ContentMark().add(bytes).text() + '\n' + bytes;
-        std::ofstream(entry.path(), std::ios::binary) << text;
-    }
-}
-
-/// Sets where the user's cache is, for the time of a test.
-class UserCache
-{
-public:
-    explicit UserCache(const fs::path& folder)
-    {
-        if (const char* const before = std::getenv(kName)) _before = before;
-        setenv(kName, folder.c_str(), 1);
-    }
-    ~UserCache() { _before ? setenv(kName, _before->c_str(), 1) : unsetenv(kName); }
-    UserCache(const UserCache&) = delete;
-    UserCache& operator=(const UserCache&) = delete;
-
-private:
-    static constexpr const char* kName = "XDG_CACHE_HOME";
-    std::optional<std::string> _before;
-};
 
 } // namespace
 
@@ -134,13 +86,20 @@ TEST(KeptModels, ASceneryThatWasOpenedBeforeMakesAndPaintsNothing)
     ASSERT_TRUE(first);
     const fs::path made = folder / "cache/osgTrainer/made";
     const auto files = filesIn(made);
-    EXPECT_GE(files.size(), 4U); // levels of two, and what they are painted with
+    EXPECT_GE(files.size(), 6U); // levels and ladders of two, and what they are painted with
     const auto second = scenery::makeSceneryShapes(objects);
     ASSERT_TRUE(second);
     EXPECT_EQ(filesIn(made), files);
     for (std::size_t i = 0; i < objects.size(); ++i)
         EXPECT_EQ(osgPMObjects::core::pmBytes(second->shapes[i]->progressive()),
                   osgPMObjects::core::pmBytes(first->shapes[i]->progressive()));
+    for (std::size_t i = 0; i < objects.size(); ++i)
+    {
+        const auto levels =
+            osgPMObjects::core::FieldLevels::of(first->shapes[i]->progressive(), first->shapes[i]->levels());
+        EXPECT_EQ(osgPMObjects::core::bytesOf(*second->shapes[i]->fieldLevels()),
+                  osgPMObjects::core::bytesOf(levels));
+    }
     // What is missing alone is made.
     fs::remove(made / files.begin()->first);
     ASSERT_TRUE(scenery::makeSceneryShapes(objects));

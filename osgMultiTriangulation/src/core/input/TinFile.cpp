@@ -3,12 +3,12 @@
 #include <cctype>
 #include <unordered_map>
 
+#include <foundation/MappedFile.h>
 #include <foundation/WholeText.h>
 
 #include <osgMultiTriangulation/core/input/TinFile.h>
 #include <osgMultiTriangulation/core/surface/DropPoints.h>
 
-#include "MappedFile.h"
 #include "TinPlaces.h"
 
 namespace osgMultiTriangulation::core
@@ -30,7 +30,7 @@ std::string lowerExtensionOf(const std::filesystem::path& file)
 class ForgetfulSink : public TinSink
 {
 public:
-    ForgetfulSink(const MappedFile& file, TinSink& sink) : _file(file), _sink(sink) {}
+    ForgetfulSink(const foundation::MappedFile& file, TinSink& sink) : _file(file), _sink(sink) {}
 
     void add(const MeasuredPoint& point) override
     {
@@ -50,7 +50,7 @@ private:
         if (++_taken % 4096 == 0) _file.forget();
     }
 
-    const MappedFile& _file;
+    const foundation::MappedFile& _file;
     TinSink& _sink;
     std::uint64_t _taken = 0;
 };
@@ -75,7 +75,7 @@ foundation::Result<MeasuredTin> readTinFile(const std::filesystem::path& file)
 
 foundation::Outcome streamTinFile(const std::filesystem::path& file, TinSink& sink)
 {
-    const auto mapped = MappedFile::open(file);
+    const auto mapped = foundation::MappedFile::open(file);
     if (!mapped) return mapped.error();
     ForgetfulSink forgetful(*mapped, sink);
     const std::string extension = lowerExtensionOf(file);

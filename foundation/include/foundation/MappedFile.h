@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace osgMultiTriangulation::core
+namespace foundation
 {
 
 /// A file as text that is in memory only where it is read.
@@ -22,7 +22,7 @@ class MappedFile
 {
 public:
     /// Errors: no such file, not a file, no permission.
-    static foundation::Result<MappedFile> open(const std::filesystem::path& file)
+    static Result<MappedFile> open(const std::filesystem::path& file)
     {
         const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
         struct stat status
@@ -40,10 +40,10 @@ public:
         const int reason = errno;
         if (descriptor >= 0) ::close(descriptor);
         if (!isThere || !S_ISREG(status.st_mode) || (status.st_size > 0 && mapped._text.empty()))
-            return foundation::Error{file.string(),
-                                     "cannot be read: " + (isThere ? std::string("it is no plain file")
-                                                                   : std::generic_category().message(reason)),
-                                     "check the path and its permissions"};
+            return Error{file.string(),
+                         "cannot be read: " + (isThere ? std::string("it is no plain file")
+                                                       : std::generic_category().message(reason)),
+                         "check the path and its permissions"};
         return mapped;
     }
 
@@ -72,4 +72,4 @@ private:
     std::string_view _text;
 };
 
-} // namespace osgMultiTriangulation::core
+} // namespace foundation
