@@ -177,10 +177,11 @@ scenery::SkyHiders wallsOf(const std::vector<scenery::StandingBuilding>& buildin
 }
 
 foundation::Outcome addBuildings(const std::filesystem::path& source,
-                                 const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
+                                 const osgTerrainROAM::core::RoamTile& tile, const HeightOfGround& ground,
                                  const scenery::NearestStreet& street, std::vector<StandingPart>& standing)
 {
-    const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+    const auto shapes =
+        osgTerrainROAM::core::importShapes(source, tile.tile, foundation::KeptFrom::ofUser(tile.mark()));
     if (!shapes) return shapes.error();
     const scenery::StandingBuildings made = scenery::standBuildings(*shapes, ground, street);
     if (made.buildings.empty()) return nothingIn(source, "give footprints of buildings of this place");
@@ -195,7 +196,7 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
 } // namespace
 
 foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& description,
-                                  const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
+                                  const osgTerrainROAM::core::RoamTile& tile, const HeightOfGround& ground,
                                   const osgRoads::core::PlacedNetwork* roads,
                                   std::vector<StandingPart>& standing)
 {
@@ -205,7 +206,8 @@ foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& descript
     Objects objects(ground);
     for (const std::filesystem::path& source : description.objects)
     {
-        const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+        const auto shapes =
+            osgTerrainROAM::core::importShapes(source, tile.tile, foundation::KeptFrom::ofUser(tile.mark()));
         if (!shapes) return shapes.error();
         objects.add(*shapes);
         if (objects.isEmpty()) return nothingIn(source, "give points with a kind of the generated models");

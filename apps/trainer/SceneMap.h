@@ -8,7 +8,7 @@
 
 #include <osgRoads/core/place/PlacedNetwork.h>
 #include <osgTerrainROAM/core/RoamFile.h>
-#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+#include <osgTerrainROAM/core/roam/RoamTile.h>
 
 #include "SceneTerrain.h"
 
@@ -22,7 +22,7 @@ using HeightOfGround = std::function<std::optional<double>(double eastM, double 
 /// roads (null: none), and says what could not be used.
 /// Errors: those of importShapes(); a source without anything that can stand here.
 foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& description,
-                                  const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
+                                  const osgTerrainROAM::core::RoamTile& tile, const HeightOfGround& ground,
                                   const osgRoads::core::PlacedNetwork* roads,
                                   std::vector<StandingPart>& standing);
 

@@ -2,6 +2,9 @@
 #include "SceneRoads.h"
 
 #include <string>
+#include <utility>
+
+#include <foundation/KeptFrom.h>
 
 #include <osg/Group>
 #include <osg/NodeVisitor>
@@ -62,7 +65,7 @@ foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerra
     if (description.buildings.empty() && description.objects.empty()) return scene;
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
-    const auto added = addMapScenery(description, scene.terrain->tile()->tile, bareGround(*scene.terrain),
+    const auto added = addMapScenery(description, *scene.terrain->tile(), bareGround(*scene.terrain),
                                      scene.roads.get(), scene.standing);
     if (!added) return added.error();
     for (const StandingPart& part : scene.standing)
@@ -74,12 +77,12 @@ foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerra
 
 /// Adds the roads' surface and what stands beside them to a terrain, and tells what is wrong with their file.
 foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain,
-                                           const scenery::SceneRoads& roads, OpeningClock& opening)
+                                           const scenery::SceneRoads& roads, osgRoads::core::RoadMesh made,
+                                           OpeningClock& opening)
 {
     for (const std::string& note : roads.notes)
         OSG_NOTICE << note << '\n';
-    auto mesh = std::make_shared<const osgRoads::core::RoadMesh>(osgRoads::core::buildRoadMesh(
-        *roads.placed, osgRoads::core::meshSettingsFor(roads.placed->network())));
+    auto mesh = std::make_shared<const osgRoads::core::RoadMesh>(std::move(made));
     const std::string unreached =
         osgRoads::core::unreachedMessage(*mesh, roads.placed->network(), roads.file);
     if (!unreached.empty()) OSG_NOTICE << unreached << '\n';
@@ -98,14 +101,15 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
                                            const std::vector<osgTerrainROAM::core::GroundFeature>& painted,
                                            OpeningClock& opening)
 {
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile,
-                                               {painted, scenery::farRoads(*roads.placed), kRibbonsFromM});
+    const auto kept = foundation::KeptFrom::ofUser(tile->mark());
+    auto terrain = osgTerrainROAM::makeTerrain(
+        description, tile, {painted, scenery::farRoads(*roads.placed), kRibbonsFromM}, kept);
     if (!terrain) return terrain.error();
     const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
     if (!openings) return openings.error();
     (*terrain)->material()->setOpenings(*openings);
     opening.end("land");
-    return withRoads(*terrain, roads, opening);
+    return withRoads(*terrain, roads, scenery::roadMeshOf(description, roads, kept), opening);
 }
 
 /// Returns the land cover of ground that is made up for a network: meadow. Nothing is planted on it, so it
@@ -158,14 +162,19 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked, con
     const std::optional<StripRequest>& strip = request.strip;
     OpeningClock& opening = *request.opening;
     if (strip && !description.finestSpacingM) description.finestSpacingM = kStripSpacingM;
+    const foundation::KeptResults kept = foundation::KeptResults::ofUser();
     if (description.roads.empty() && !strip)
     {
-        auto terrain = osgTerrainROAM::makeTerrain(description);
+        const auto bare = osgTerrainROAM::core::loadRoamTile(description, &kept);
+        if (!bare) return bare.error();
+        opening.end("ground");
+        auto terrain = osgTerrainROAM::makeTerrain(description, *bare, {},
+                                                   foundation::KeptFrom::ofUser((*bare)->mark()));
         if (!terrain) return terrain.error();
         opening.end("land");
         return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr}, opening);
     }
-    const auto loaded = scenery::loadRoadTile(description);
+    const auto loaded = scenery::loadRoadTile(description, &kept);
     if (!loaded) return loaded.error();
     const auto& [tile, roads] = *loaded;
     std::vector<osgTerrainROAM::core::GroundFeature> painted;
@@ -181,7 +190,8 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked, con
         auto scene = makeScene(description, tile, roads, painted, opening);
         return scene ? withMap(description, *std::move(scene), opening) : scene;
     }
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), {}});
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), {}},
+                                               foundation::KeptFrom::ofUser(tile->mark()));
     if (!terrain) return terrain.error();
     opening.end("land");
     return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr}, opening);

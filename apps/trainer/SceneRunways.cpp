@@ -49,12 +49,13 @@ StripRequest turned(StripRequest strip)
 } // namespace
 
 foundation::Result<std::vector<SceneRunway>> sceneRunways(const osgTerrainROAM::core::RoamFile& description,
-                                                          const osgTerrainROAM::core::PlacedTile& tile)
+                                                          const osgTerrainROAM::core::RoamTile& tile)
 {
     std::vector<SceneRunway> runways;
+    const auto kept = foundation::KeptFrom::ofUser(tile.mark());
     for (const auto& source : description.features)
     {
-        const auto set = osgTerrainROAM::core::importFeatures(source, tile);
+        const auto set = osgTerrainROAM::core::importFeatures(source, tile.tile, kept);
         if (!set) return set.error();
         for (const GroundFeature& feature : set->features)
             if (auto runway = runwayOf(feature)) runways.push_back(std::move(*runway));

@@ -8,7 +8,7 @@
 #include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/RoamFile.h>
-#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+#include <osgTerrainROAM/core/roam/RoamTile.h>
 
 #include "PlayRequest.h"
 
@@ -26,7 +26,7 @@ struct SceneRunway
 /// Returns the runways among the features that a .roam file names, in their order. Errors: as
 /// importFeatures().
 foundation::Result<std::vector<SceneRunway>> sceneRunways(const osgTerrainROAM::core::RoamFile& description,
-                                                          const osgTerrainROAM::core::PlacedTile& tile);
+                                                          const osgTerrainROAM::core::RoamTile& tile);
 
 /// Returns the strip to take off from and land on: the longest paved runway, or the longest where none is
 /// paved, in the direction against the wind. Nothing: there is none. `windFromDeg`: from north, clockwise;

@@ -81,12 +81,13 @@ void addPapis(const SceneRunway& runway, const scenery::GroundHeight& ground,
 }
 
 foundation::Result<Standing> standingOf(const osgTerrainROAM::core::RoamFile& description,
-                                        const osgTerrainROAM::core::PlacedTile& tile)
+                                        const osgTerrainROAM::core::RoamTile& tile)
 {
     Standing standing;
     for (const auto& source : description.structures)
     {
-        const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+        const auto shapes =
+            osgTerrainROAM::core::importShapes(source, tile.tile, foundation::KeptFrom::ofUser(tile.mark()));
         if (!shapes) return shapes.error();
         add(*shapes, standing);
         if (standing.structures.empty() && standing.windsocks.empty())
@@ -101,7 +102,7 @@ foundation::Result<Standing> standingOf(const osgTerrainROAM::core::RoamFile& de
 foundation::Outcome addStructures(const osgTerrainROAM::core::RoamFile& description, SceneTerrain& scene)
 {
     const auto& tile = scene.terrain->tile()->tile;
-    const auto standing = standingOf(description, tile);
+    const auto standing = standingOf(description, *scene.terrain->tile());
     if (!standing) return standing.error();
     const scenery::GroundHeight ground =
         [query = ground::groundOf(tile)](double eastM, double northM) -> std::optional<double>

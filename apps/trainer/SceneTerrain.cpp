@@ -118,7 +118,7 @@ foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file
     description->showsVoids = description->showsVoids || request.showsVoids;
     auto scene = makeTerrainWithRoads(*description, request);
     if (!scene) return scene;
-    auto runways = sceneRunways(*description, scene->terrain->tile()->tile);
+    auto runways = sceneRunways(*description, *scene->terrain->tile());
     if (!runways) return runways.error();
     scene->runways = *std::move(runways);
     if (const auto added = addStructures(*description, *scene); !added) return added.error();

@@ -42,7 +42,7 @@ foundation::Result<core::FeatureReport> paintFeatures(TerrainMaterial& material,
     all.features = std::move(more.everywhere);
     for (const std::filesystem::path& source : description.features)
     {
-        auto set = core::importFeatures(source, tile);
+        auto set = core::importFeatures(source, tile, material.kept());
         if (!set) return set.error();
         if (set->report.taken < set->report.read)
             osg::notify(osg::NOTICE) << source.string() << ": " << set->report.message() << std::endl;
@@ -87,7 +87,7 @@ foundation::Outcome coverGround(TerrainMaterial& material, const core::RoamFile&
     if (description.landCover.empty()) return foundation::success();
     const auto table = core::readCoverTable(description.landCoverClasses);
     if (!table) return table.error();
-    const auto map = core::importCover(description.landCover, *table, tile);
+    const auto map = core::importCover(description.landCover, *table, tile, material.kept());
     if (!map) return map.error();
     for (const auto& [code, count] : map->unknownCodes)
         osg::notify(osg::NOTICE) << description.landCover.string() << ": class " << code
@@ -212,8 +212,9 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     return makeTerrain(description, *tile);
 }
 
-foundation::Result<osg::ref_ptr<RoamTerrain>>
-makeTerrain(const core::RoamFile& description, const std::shared_ptr<core::RoamTile>& tile, MoreFeatures more)
+foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description,
+                                                          const std::shared_ptr<core::RoamTile>& tile,
+                                                          MoreFeatures more, const foundation::KeptFrom& kept)
 {
     osg::ref_ptr<osg::Image> drape;
     if (description.imagery.size() == 1 && !description.showsVoids)
@@ -223,7 +224,7 @@ makeTerrain(const core::RoamFile& description, const std::shared_ptr<core::RoamT
         drape = *image;
     }
     osg::ref_ptr<TerrainMaterial> material =
-        new TerrainMaterial(tile->tile, climateOf(tile->tile, description.land), drape.get());
+        new TerrainMaterial(tile->tile, climateOf(tile->tile, description.land), drape.get(), kept);
     if (const auto laid = layImagery(*material, description, tile->tile); !laid) return laid.error();
     if (const auto covered = coverGround(*material, description, tile->tile); !covered)
         return covered.error();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <foundation/Earth.h>
 
@@ -18,6 +19,7 @@
 #include "material/FineNormals.h"
 #include "material/GrainImage.h"
 #include "material/GroundPalette.h"
+#include "material/ImageBytes.h"
 #include "material/LandMap.h"
 #include "material/MapGrid.h"
 #include "material/MapTexture.h"
@@ -82,8 +84,12 @@ foundation::Outcome checkImagery(const std::vector<ImageryLayer>& layers)
 
 } // namespace
 
-TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& climate, osg::Image* drapeImage)
-    : _climate(climate), _hasDrape(drapeImage != nullptr), _stateSet(new osg::StateSet)
+TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& climate, osg::Image* drapeImage,
+                                 foundation::KeptFrom kept)
+    : _climate(climate),
+      _kept(std::move(kept)),
+      _hasDrape(drapeImage != nullptr),
+      _stateSet(new osg::StateSet)
 {
     addMaps(tile, drapeImage);
     addScales(tile);
@@ -151,14 +157,14 @@ void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
 
 void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
 {
-    addFeatureTextures(*_stateSet, cells, features);
+    addFeatureTextures(*_stateSet, cells, features, _kept.withoutMark());
     _hasFeatures = true;
     setProgram();
 }
 
 void TerrainMaterial::setFarFeatures(const core::FeatureCells& cells, double nearestM)
 {
-    addFarFeatureTexture(*_stateSet, cells, farFeatures);
+    addFarFeatureTexture(*_stateSet, cells, farFeatures, _kept.withoutMark());
     _stateSet->getOrCreateUniform("farFeatureNearestM", osg::Uniform::FLOAT)
         ->set(static_cast<float>(nearestM));
     _hasFarFeatures = true;
@@ -199,12 +205,15 @@ foundation::Outcome TerrainMaterial::setImagery(std::vector<ImageryLayer> layers
 void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeImage)
 {
     const MapGrid grid(tile);
-    _normalImage = normalMap(tile, grid);
-    const osg::ref_ptr<osg::Image> landImage = landMap(tile, grid, _climate, *_normalImage);
+    _normalImage = keptImage(_kept, "normals", {}, [&] { return normalMap(tile, grid); });
+    const osg::ref_ptr<osg::Image> landImage =
+        keptImage(_kept, "land", core::markOfClimate(_climate),
+                  [&] { return landMap(tile, grid, _climate, *_normalImage); });
     addTexture(*_stateSet, "terrainNormals", normals, _normalImage.get(), osg::Texture::CLAMP_TO_EDGE);
     addTexture(*_stateSet, "terrainLand", land, landImage.get(), osg::Texture::CLAMP_TO_EDGE);
-    addTexture(*_stateSet, "terrainGrain", grain, grainImage().get(), osg::Texture::REPEAT);
-    _stateSet->setTextureAttribute(detail, detailTexture());
+    addTexture(*_stateSet, "terrainGrain", grain,
+               keptImage(_kept.withoutMark(), "grain", {}, grainImage).get(), osg::Texture::REPEAT);
+    _stateSet->setTextureAttribute(detail, detailTexture(_kept.withoutMark()));
     _stateSet->addUniform(new osg::Uniform("terrainDetail", static_cast<int>(detail)));
     const double perSample = 1.0 / grid.step;
     _stateSet->addUniform(

@@ -3,10 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
+
+#include <foundation/WholeText.h>
 
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/query/Stations.h>
+#include <osgRoads/core/surface/BuildRoadMesh.h>
+#include <osgRoads/core/surface/RoadMeshBytes.h>
 #include <osgTerrainROAM/core/LoadTerrain.h>
 #include <osgTerrainROAM/core/edit/ShapeGround.h>
 
@@ -149,13 +155,35 @@ foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& de
     return roads;
 }
 
-foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description)
+foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description,
+                                          const foundation::KeptResults* kept)
 {
-    const auto tile = osgTerrainROAM::core::loadRoamTile(description);
+    const auto tile = osgTerrainROAM::core::loadRoamTile(description, kept);
     if (!tile) return tile.error();
     auto roads = layRoads(description, *tile);
     if (!roads) return roads.error();
     return RoadTile{*tile, std::move(*roads)};
+}
+
+osgRoads::core::RoadMesh roadMeshOf(const osgTerrainROAM::core::RoamFile& description,
+                                    const SceneRoads& roads, const foundation::KeptFrom& kept)
+{
+    constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;
+    const auto make = [&]
+    {
+        return osgRoads::core::buildRoadMesh(*roads.placed,
+                                             osgRoads::core::meshSettingsFor(roads.placed->network()));
+    };
+    const auto file = kept ? foundation::readWholeText(description.roads, kMostBytes)
+                           : foundation::Result<std::string>(foundation::Error{});
+    if (!file) return make();
+    foundation::ContentMark mark;
+    mark.add(*file).addWord(description.roadsOnGround ? 1U : 0U);
+    if (const auto& origin = description.roadsOrigin)
+        mark.add(std::vector<double>{origin->latitudeDeg, origin->longitudeDeg, origin->headingDeg});
+    return kept.findOrMake("roads", mark, osgRoads::core::roadMeshIn, make,
+                           [](const osgRoads::core::RoadMesh& mesh)
+                           { return osgRoads::core::bytesOf(mesh); });
 }
 
 std::vector<GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads)

@@ -4,8 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include <foundation/KeptFrom.h>
 #include <foundation/Result.h>
 
+#include <osgRoads/core/surface/RoadMesh.h>
 #include <osgTerrainROAM/core/RoamFile.h>
 #include <osgTerrainROAM/core/features/GroundFeature.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
@@ -33,8 +35,14 @@ struct RoadTile
     SceneRoads roads; ///< `placed` null: none are named
 };
 
-/// Loads the tile that a .roam file describes, shapes it by its earthworks and lays its roads. Errors: those
-/// of loadRoamTile() and layRoads().
-foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description);
+/// Loads the tile that a .roam file describes, shapes it by its earthworks and lays its roads. `kept`: as
+/// RoamTile's. Errors: those of loadRoamTile() and layRoads().
+foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description,
+                                          const foundation::KeptResults* kept = nullptr);
+
+/// Returns the drawn surface of the roads of a description, found among the kept results or made and kept.
+/// `kept`: what follows from the tile (RoamTile::mark()).
+osgRoads::core::RoadMesh roadMeshOf(const osgTerrainROAM::core::RoamFile& description,
+                                    const SceneRoads& roads, const foundation::KeptFrom& kept);
 
 } // namespace scenery

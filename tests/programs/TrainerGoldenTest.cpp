@@ -6,6 +6,7 @@
 #include <osgOffscreen/OffscreenContext>
 #include <osgOffscreen/PngFile>
 
+#include "KeptFiles.h"
 #include "ProgramRun.h"
 #include "RenderedGolden.h"
 #include "Workplace.h"
@@ -184,6 +185,36 @@ TEST(TrainerGolden, ATourWithScenery)
         captured(place, {"tour", place.hill(), "--scenery", place.write("s.json", kBelowTheTour), "--fps",
                          "2", "--size", "240x135"});
     EXPECT_TRUE(matches(frames / "frame_00004.png", "trainer-tour"));
+}
+
+/// Whether all is made, found, or found to be nonsense and made anew: the picture is the same, and a second
+/// opening makes nothing.
+TEST(TrainerGolden, ATourFromWhatWasKept)
+{
+    if (rendered::writesGoldens()) GTEST_SKIP() << "goldens are being written";
+    const Workplace place;
+    const testsupport::UserCache cache(place.path("cache"));
+    const std::filesystem::path made = place.path("cache/osgTrainer/made");
+    const std::string hill = place.hill(), scenery = place.write("s.json", kBelowTheTour);
+    const auto tour = [&]
+    {
+        return matches(
+            captured(place, {"tour", hill, "--scenery", scenery, "--fps", "2", "--size", "240x135"}) /
+                "frame_00004.png",
+            "trainer-tour");
+    };
+    EXPECT_TRUE(tour());
+    const auto files = testsupport::filesIn(made);
+    for (const char* name :
+         {"bounds-", "detail-", "grain-", "ladder-", "land-", "levels-", "normals-", "outer-", "painting-"})
+        EXPECT_TRUE(files.lower_bound(name) != files.end() &&
+                    files.lower_bound(name)->first.starts_with(name))
+            << name;
+    EXPECT_TRUE(tour());
+    EXPECT_EQ(testsupport::filesIn(made), files);
+    testsupport::writeNonsense(made);
+    EXPECT_TRUE(tour());
+    EXPECT_NE(testsupport::filesIn(made), files);
 }
 
 TEST(TrainerGolden, ADriveInRain)

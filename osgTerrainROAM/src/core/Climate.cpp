@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include <osgTerrainROAM/core/Climate.h>
 
@@ -116,6 +117,14 @@ Climate climateOf(const PlacedTile& tile, const LandParameters& land)
     climate.water = land.water;
     climate.seaLevelM = land.seaLevelM.value_or(climate.seaLevelM);
     return climate;
+}
+
+foundation::ContentMark markOfClimate(const Climate& climate)
+{
+    foundation::ContentMark mark;
+    mark.add(std::vector<double>{climate.aridity, climate.treeLineM, climate.snowLineM, climate.seaLevelM,
+                                 climate.latitudeDeg});
+    return mark.addWord(static_cast<std::uint64_t>(climate.water));
 }
 
 } // namespace osgTerrainROAM::core

@@ -50,11 +50,12 @@ foundation::Result<PlacedTile> loadTile(const RoamFile& description)
     return PlacedTile(std::move(*field), options);
 }
 
-foundation::Result<std::shared_ptr<RoamTile>> loadRoamTile(const RoamFile& description)
+foundation::Result<std::shared_ptr<RoamTile>> loadRoamTile(const RoamFile& description,
+                                                           const foundation::KeptResults* kept)
 {
     auto placed = loadTile(description);
     if (!placed) return placed.error();
-    auto tile = std::make_shared<RoamTile>(std::move(*placed));
+    auto tile = std::make_shared<RoamTile>(std::move(*placed), kept);
     if (description.edits.empty())
     {
         if (const auto shaped = shapeGround(description.earthworks, tile); !shaped) return shaped.error();

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "ImageBytes.h"
 #include "TileableNoise.h"
 
 namespace osgTerrainROAM
@@ -191,7 +192,7 @@ osg::ref_ptr<osg::Image> detailImage(Detail detail)
     return surface.image();
 }
 
-osg::ref_ptr<osg::Texture2DArray> detailTexture()
+osg::ref_ptr<osg::Texture2DArray> detailTexture(const foundation::KeptFrom& kept)
 {
     osg::ref_ptr<osg::Texture2DArray> texture = new osg::Texture2DArray;
     texture->setTextureSize(kDetailSide, kDetailSide, kDetails);
@@ -201,7 +202,10 @@ osg::ref_ptr<osg::Texture2DArray> detailTexture()
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
     for (int i = 0; i < kDetails; ++i)
-        texture->setImage(static_cast<unsigned>(i), detailImage(static_cast<Detail>(i)));
+        texture->setImage(static_cast<unsigned>(i),
+                          keptImage(kept, "detail",
+                                    foundation::ContentMark().addWord(static_cast<unsigned>(i)),
+                                    [&] { return detailImage(static_cast<Detail>(i)); }));
     return texture;
 }
 

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <foundation/KeptFrom.h>
+
 #include <osg/Image>
 #include <osg/Texture2DArray>
 #include <osg/ref_ptr>
@@ -34,6 +36,6 @@ constexpr double kDetailHeightM = 0.06; ///< from the lowest to the highest
 osg::ref_ptr<osg::Image> detailImage(Detail detail);
 
 /// All of them as one texture with mip levels.
-osg::ref_ptr<osg::Texture2DArray> detailTexture();
+osg::ref_ptr<osg::Texture2DArray> detailTexture(const foundation::KeptFrom& kept);
 
 } // namespace osgTerrainROAM

@@ -2,6 +2,7 @@
 #include "FeatureTextures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include <osgTerrainROAM/core/features/FeatureCover.h>
 
+#include "ImageBytes.h"
 #include "ParallelRows.h"
 
 namespace osgTerrainROAM
@@ -57,11 +59,28 @@ struct FarMaps
     int perCell;
     osg::ref_ptr<osg::Image> crops, beds;
 
-    FarMaps(const core::FeatureCells& cells, int mostPerCell)
-        : perCell(mostPerCell), crops(new osg::Image), beds(new osg::Image)
+    /// `kept`: what follows from the program alone; the images are found there the second time.
+    FarMaps(const core::FeatureCells& cells, int mostPerCell, const foundation::KeptFrom& kept)
+        : perCell(mostPerCell)
     {
         while (perCell > 1 && std::max(cells.columns, cells.rows) * perCell > kMaxFarSide)
             perCell /= 2;
+        const auto both =
+            keptImages<2>(kept, "far", core::markOfCells(cells).addWord(static_cast<unsigned>(perCell)),
+                          [&]
+                          {
+                              paint(cells);
+                              return std::array{crops, beds};
+                          });
+        crops = both[0];
+        beds = both[1];
+    }
+
+private:
+    void paint(const core::FeatureCells& cells)
+    {
+        crops = new osg::Image;
+        beds = new osg::Image;
         for (osg::Image* image : {crops.get(), beds.get()})
         {
             image->allocateImage(cells.columns * perCell, cells.rows * perCell, 1, GL_RGBA, GL_UNSIGNED_BYTE);
@@ -77,7 +96,6 @@ struct FarMaps
                      });
     }
 
-private:
     void fillCell(const core::FeatureCells& cells, int column, int row) const
     {
         const auto& cell = cells.cells[static_cast<std::size_t>(row) * cells.columns + column];
@@ -167,9 +185,10 @@ void addRunways(osg::StateSet& stateSet, const core::FeatureCells& cells)
 
 } // namespace
 
-void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells, int firstUnit)
+void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells, int firstUnit,
+                        const foundation::KeptFrom& kept)
 {
-    const FarMaps far(cells, kMaxFarPerCell);
+    const FarMaps far(cells, kMaxFarPerCell, kept);
     addTexture(stateSet, "featureCells", firstUnit, cellImage(cells).get(), false);
     addTexture(stateSet, "featureRecords", firstUnit + 1, recordImage(cells).get(), false);
     addTexture(stateSet, "featureFarCrops", firstUnit + 2, far.crops.get(), true);
@@ -179,9 +198,10 @@ void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells
     stateSet.addUniform(new osg::Uniform("featureFarTexelM", static_cast<float>(cells.cellM / far.perCell)));
 }
 
-void addFarFeatureTexture(osg::StateSet& stateSet, const core::FeatureCells& cells, int unit)
+void addFarFeatureTexture(osg::StateSet& stateSet, const core::FeatureCells& cells, int unit,
+                          const foundation::KeptFrom& kept)
 {
-    addTexture(stateSet, "farFeatureBeds", unit, FarMaps(cells, 2 * kMaxFarPerCell).beds.get(), true);
+    addTexture(stateSet, "farFeatureBeds", unit, FarMaps(cells, 2 * kMaxFarPerCell, kept).beds.get(), true);
     addGrid(stateSet, cells, "farFeature");
 }
 

@@ -2,6 +2,7 @@
 #include "Surroundings.h"
 
 #include <algorithm>
+#include <array>
 
 #include <osg/Texture2D>
 #include <osg/Uniform>
@@ -12,6 +13,7 @@
 #include <osgTraversal/DrawOrder>
 #include <osgTraversal/NearFar>
 
+#include "../material/ImageBytes.h"
 #include "../material/MapTexture.h"
 #include "../material/TerrainShader.h"
 #include "OuterMaps.h"
@@ -123,14 +125,22 @@ Surroundings::Surroundings(std::shared_ptr<const core::RoamTile> tile, TerrainMa
 
 void Surroundings::addMaps(const OuterGround& ground, const OuterAxis& columns, const OuterAxis& rows)
 {
-    const OuterMaps maps = outerMaps(ground, columns, rows, _material->climate());
+    // The tile may have been edited since the material was made.
+    const foundation::KeptFrom kept = _tile->mark() ? _material->kept() : foundation::KeptFrom();
+    const auto maps = keptImages<2>(kept, "outer", core::markOfClimate(_material->climate()),
+                                    [&]
+                                    {
+                                        const OuterMaps made =
+                                            outerMaps(ground, columns, rows, _material->climate());
+                                        return std::array{made.normals, made.land};
+                                    });
     const auto add = [&](TerrainMaterial::Unit unit, const char* name, osg::Image* image)
     {
         _maps->setTextureAttributeAndModes(unit, mapTexture(image, osg::Texture::CLAMP_TO_EDGE));
         _maps->addUniform(new osg::Uniform(name, static_cast<int>(unit)));
     };
-    add(TerrainMaterial::outerNormals, "outerNormals", maps.normals.get());
-    add(TerrainMaterial::outerLand, "outerLand", maps.land.get());
+    add(TerrainMaterial::outerNormals, "outerNormals", maps[0].get());
+    add(TerrainMaterial::outerLand, "outerLand", maps[1].get());
     _maps->addUniform(new osg::Uniform("outerInside", pairOf(1.0 / columns.inside(), 1.0 / rows.inside())));
     _maps->addUniform(new osg::Uniform("outerCurve", pairOf(columns.curve(), rows.curve())));
     _maps->addUniform(new osg::Uniform("outerFirst", static_cast<float>(OuterAxis::kOutside + 0.5)));

@@ -9,6 +9,7 @@
 
 #include <osgTerrainROAM/core/cover/CoverImport.h>
 
+#include "KeptFiles.h"
 #include "SyntheticField.h"
 
 namespace
@@ -136,4 +137,32 @@ TEST_F(CoverImport, ErrorsNameTheFileAndWhatToDo)
         node.longitudeDeg += 3.0;
     EXPECT_THAT(messageOf(importCover(_file, worldCoverTable(), PlacedTile(std::move(elsewhere)))),
                 HasSubstr("covers nothing of the terrain"));
+}
+
+TEST_F(CoverImport, IsFoundAgainForTheSameRasterAndTable)
+{
+    const testsupport::TestFolder folder("kept-cover");
+    const foundation::KeptFrom kept(std::make_shared<const foundation::KeptResults>(folder / "made"),
+                                    foundation::ContentMark());
+    const auto file = folder / "cover.tif"; // nothing beside it has its name
+    std::filesystem::copy_file(_file, file);
+    const auto read = importCover(file, worldCoverTable(), alps());
+    ASSERT_TRUE(read);
+    const auto isSame = [&]
+    {
+        const auto map = importCover(file, worldCoverTable(), alps(), kept);
+        return map && map->width == read->width && map->height == read->height && map->kinds == read->kinds &&
+               map->unknownCodes == read->unknownCodes;
+    };
+    EXPECT_TRUE(isSame());
+    const auto files = testsupport::filesIn(folder / "made");
+    EXPECT_EQ(files.size(), 1U);
+    EXPECT_TRUE(isSame());
+    EXPECT_EQ(testsupport::filesIn(folder / "made"), files);
+    testsupport::writeNonsense(folder / "made");
+    const auto nonsense = testsupport::filesIn(folder / "made");
+    EXPECT_TRUE(isSame());
+    EXPECT_NE(testsupport::filesIn(folder / "made"), nonsense);
+    ASSERT_TRUE(importCover(file, {{10, GroundKind::crop}}, alps(), kept));
+    EXPECT_EQ(testsupport::filesIn(folder / "made").size(), 2U);
 }

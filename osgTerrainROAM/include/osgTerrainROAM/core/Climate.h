@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <foundation/ContentMark.h>
+
 #include <osgTerrainROAM/core/RoamFile.h>
 
 namespace osgTerrainROAM::core
@@ -35,5 +37,8 @@ Climate climateAt(double latitudeDeg, double longitudeDeg);
 /// Estimates the climate of the tile's centre (47° N, humid, for a tile without a position on the Earth);
 /// values in `land` replace the estimate.
 Climate climateOf(const PlacedTile& tile, const LandParameters& land);
+
+/// The mark of all values of a climate.
+foundation::ContentMark markOfClimate(const Climate& climate);
 
 } // namespace osgTerrainROAM::core

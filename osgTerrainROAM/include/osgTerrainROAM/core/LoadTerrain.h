@@ -29,8 +29,9 @@ foundation::Result<PlacedTile> loadTile(const RoamFile& description);
 
 /// The same with the bounds of its vertices and the edits that the description names. Without edits, the
 /// ground is shaped by its earthworks.
-/// Errors: those of loadTile(), readEdits() and shapeGround().
-foundation::Result<std::shared_ptr<RoamTile>> loadRoamTile(const RoamFile& description);
+/// `kept`: as RoamTile's. Errors: those of loadTile(), readEdits() and shapeGround().
+foundation::Result<std::shared_ptr<RoamTile>> loadRoamTile(const RoamFile& description,
+                                                           const foundation::KeptResults* kept = nullptr);
 
 /// The mark of what the edits of a description are made from: the bytes of its roads' file, and how these are
 /// placed. Errors: a file that cannot be read.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include <foundation/ForEachAtOnce.h>
+#include <foundation/PlainBytes.h>
+#include <foundation/SoleFile.h>
 #include <gdal_priv.h>
 
 #include <osgTerrainROAM/core/cover/CoverImport.h>
@@ -111,10 +116,7 @@ CoverMap mapOf(const Classes& classes, const PixelNet& net, const CoverTable& ta
     return map;
 }
 
-} // namespace
-
-Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable& table,
-                             const PlacedTile& tile)
+Result<CoverMap> readCover(const std::filesystem::path& file, const CoverTable& table, const PlacedTile& tile)
 {
     GdalSession gdal;
     const std::string name = file.string();
@@ -138,6 +140,56 @@ Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable
                                std::to_string(map.unknownCodes.begin()->first) + " and others",
                      "give a land cover of the same place, and its table with land_cover_classes"};
     return map;
+}
+
+std::string bytesOf(const CoverMap& map)
+{
+    std::string bytes;
+    foundation::appendValue(bytes, std::array{map.width, map.height});
+    foundation::appendValues(bytes, map.kinds);
+    foundation::appendValue(bytes, static_cast<std::uint64_t>(map.unknownCodes.size()));
+    for (const auto& [code, count] : map.unknownCodes)
+        foundation::appendValue(
+            bytes, std::array{static_cast<std::int64_t>(code), static_cast<std::int64_t>(count)});
+    return bytes;
+}
+
+/// Absent: bytesOf() did not write them.
+std::optional<CoverMap> coverIn(std::string_view bytes)
+{
+    CoverMap map;
+    foundation::ValueTaker taker(bytes);
+    std::array<int, 2> sides{};
+    std::uint64_t count = 0;
+    if (!taker.take(sides) || !taker.take(map.kinds) || !taker.takeCount(count, 16)) return std::nullopt;
+    map.width = sides[0];
+    map.height = sides[1];
+    if (map.width < 2 || map.height < 2 || map.width > kMaxCoverSide || map.height > kMaxCoverSide ||
+        map.kinds.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
+        return std::nullopt;
+    for (const GroundKind kind : map.kinds)
+        if (static_cast<int>(kind) >= kGroundKinds) return std::nullopt;
+    std::array<std::int64_t, 2> unknown{};
+    for (; count > 0; --count)
+    {
+        if (!taker.take(unknown)) return std::nullopt;
+        map.unknownCodes.emplace(static_cast<int>(unknown[0]), static_cast<std::size_t>(unknown[1]));
+    }
+    return taker.isEmpty() ? std::optional(std::move(map)) : std::nullopt;
+}
+
+} // namespace
+
+Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable& table,
+                             const PlacedTile& tile, const foundation::KeptFrom& kept)
+{
+    auto mark = kept ? foundation::markOfSoleFile(file) : std::nullopt;
+    if (!mark) return readCover(file, table, tile);
+    for (const auto& [code, kind] : table)
+        mark->addWord(static_cast<std::uint64_t>(code)).addWord(static_cast<std::uint64_t>(kind));
+    return kept.findOrMake(
+        "cover", *mark, coverIn, [&] { return readCover(file, table, tile); },
+        [](const CoverMap& map) { return bytesOf(map); });
 }
 
 } // namespace osgTerrainROAM::core

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <string>
-#include <type_traits>
 #include <vector>
 
+#include <foundation/PlainBytes.h>
 #include <foundation/WholeFile.h>
 #include <foundation/WholeText.h>
 
@@ -22,7 +21,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-static_assert(std::endian::native == std::endian::little, "the file's numbers are the machine's");
+using foundation::appendValue;
+using foundation::ValueTaker;
 
 constexpr std::string_view kName = "osgTrainer edits 1\n";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{8} << 30;
@@ -35,35 +35,6 @@ struct Header
     double lowestM = 0.0; ///< HidingGround::lowestM
 };
 
-template<class Value>
-void appendValue(std::string& bytes, const Value& value)
-{
-    static_assert(std::is_trivially_copyable_v<Value>);
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof(Value));
-}
-
-/// Takes values off the front of bytes.
-class Taker
-{
-public:
-    explicit Taker(std::string_view bytes) : _bytes(bytes) {}
-
-    /// False: there are too few bytes.
-    template<class Value>
-    bool take(Value& value)
-    {
-        if (_bytes.size() < sizeof(Value)) return false;
-        std::memcpy(&value, _bytes.data(), sizeof(Value));
-        _bytes.remove_prefix(sizeof(Value));
-        return true;
-    }
-
-    bool isEmpty() const { return _bytes.empty(); }
-
-private:
-    std::string_view _bytes;
-};
-
 /// The state that a file keeps.
 struct Content
 {
@@ -73,7 +44,7 @@ struct Content
     std::vector<RegionBounds::Sphere> spheres;
 };
 
-bool takePoint(Taker& taker, PointState& point)
+bool takePoint(ValueTaker& taker, PointState& point)
 {
     std::uint8_t flags = 0;
     if (!taker.take(point.place.column) || !taker.take(point.place.row) || !taker.take(flags) ||
@@ -84,7 +55,7 @@ bool takePoint(Taker& taker, PointState& point)
     return true;
 }
 
-bool takeChunk(Taker& taker, ChunkState& chunk)
+bool takeChunk(ValueTaker& taker, ChunkState& chunk)
 {
     std::array<std::uint64_t, ChunkState::kPoints / 64> mask{};
     if (!taker.take(chunk.place.column) || !taker.take(chunk.place.row) || !taker.take(mask)) return false;
@@ -93,7 +64,7 @@ bool takeChunk(Taker& taker, ChunkState& chunk)
     return true;
 }
 
-bool take(Taker& taker, Content& content)
+bool take(ValueTaker& taker, Content& content)
 {
     if (!taker.take(content.header)) return false;
     for (std::uint64_t i = 0; i < content.header.points; ++i)
@@ -203,7 +174,7 @@ foundation::Outcome readEdits(RoamTile& tile, std::uint64_t source, const std::f
     std::memcpy(&sum, bytes.data() + bytes.size() - sizeof(sum), sizeof(sum));
     bytes.remove_suffix(sizeof(sum));
     if (markOf(bytes) != sum) return refuse("is cut off or damaged");
-    Taker taker(bytes.substr(kName.size()));
+    ValueTaker taker(bytes.substr(kName.size()));
     Content content;
     if (!take(taker, content)) return refuse("is cut off or damaged");
     if (content.header.tile != markOfTile(tile))
@@ -214,6 +185,7 @@ foundation::Outcome readEdits(RoamTile& tile, std::uint64_t source, const std::f
     restoreChunks(tile, content.chunks);
     tile.regions.setSpheres(content.spheres);
     tile.hidingGround.lowestM = std::min(tile.hidingGround.lowestM, content.header.lowestM);
+    tile.addToMark(bytes);
     return foundation::success();
 }
 

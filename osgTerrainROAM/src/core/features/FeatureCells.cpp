@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vector>
+
 #include <osgTerrainROAM/core/features/FeatureCells.h>
 
 #include "CellBuilder.h"
@@ -82,6 +84,15 @@ Result<FeatureCells> FeatureCells::build(const std::vector<GroundFeature>& featu
     builder.store();
     cells.runways = runwaysOf(features);
     return cells;
+}
+
+foundation::ContentMark markOfCells(const FeatureCells& cells)
+{
+    foundation::ContentMark mark;
+    mark.add(std::vector<double>{cells.cellM}).add(cells.cells).add(cells.records);
+    for (const int number : {cells.firstCell.x, cells.firstCell.y, cells.columns, cells.rows})
+        mark.addWord(static_cast<std::uint64_t>(number));
+    return mark.add(cells.runways);
 }
 
 } // namespace osgTerrainROAM::core

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <memory>
 
+#include <foundation/SoleFile.h>
+
 #include <osgTerrainROAM/core/features/FeatureImport.h>
 
+#include "FeatureBytes.h"
 #include "FeatureTags.h"
 #include "GroundPlacer.h"
 #include "VectorSource.h"
@@ -141,9 +144,7 @@ private:
     std::size_t _vertices = 0;
 };
 
-} // namespace
-
-Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile)
+Result<FeatureSet> readFeatures(const std::filesystem::path& source, const PlacedTile& tile)
 {
     Reader reader(source, tile);
     const Outcome read =
@@ -156,6 +157,18 @@ Result<FeatureSet> importFeatures(const std::filesystem::path& source, const Pla
             source.string(), "has nothing to paint: " + reader.set.report.message(),
             "give features of this place with kind = road, river, field or runway, or tags of OpenStreetMap"};
     return std::move(reader.set);
+}
+
+} // namespace
+
+Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile,
+                                  const foundation::KeptFrom& kept)
+{
+    const auto mark = kept ? foundation::markOfSoleFile(source) : std::nullopt;
+    if (!mark) return readFeatures(source, tile);
+    return kept.findOrMake(
+        "features", *mark, featuresIn, [&] { return readFeatures(source, tile); },
+        [](const FeatureSet& set) { return bytesOf(set); });
 }
 
 } // namespace osgTerrainROAM::core

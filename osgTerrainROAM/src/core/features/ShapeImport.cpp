@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
+#include <foundation/SoleFile.h>
+
 #include <osgTerrainROAM/core/features/ShapeImport.h>
 
 #include "FeatureTags.h"
 #include "GroundPlacer.h"
+#include "ShapeBytes.h"
 #include "VectorSource.h"
 
 namespace osgTerrainROAM::core
@@ -136,9 +139,7 @@ private:
     GroundPlacer _placer;
 };
 
-} // namespace
-
-foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile)
+foundation::Result<ShapeSet> readShapes(const std::filesystem::path& source, const PlacedTile& tile)
 {
     ShapeReader reader(tile);
     const auto read = forEachFeature(source, tile,
@@ -149,6 +150,18 @@ foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, c
                                      });
     if (!read) return read.error();
     return std::move(reader.set);
+}
+
+} // namespace
+
+foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile,
+                                          const foundation::KeptFrom& kept)
+{
+    const auto mark = kept ? foundation::markOfSoleFile(source) : std::nullopt;
+    if (!mark) return readShapes(source, tile);
+    return kept.findOrMake(
+        "shapes", *mark, shapesIn, [&] { return readShapes(source, tile); },
+        [](const ShapeSet& set) { return bytesOf(set); });
 }
 
 } // namespace osgTerrainROAM::core

@@ -17,18 +17,18 @@ namespace
 {
 
 /// A triangle of the finest level by grid corners, counter-clockwise from above.
-using GridTriangle = std::array<glm::ivec2, 3>;
+using PlanCorners = std::array<glm::ivec2, 3>;
 
 /// The half of cell (column, row) that contains the point at `fraction` (0…1 each way). Every diagonal of the
 /// finest level joins samples whose column + row is even: samples of odd column and odd row are centres of
 /// the last diamonds, joined to the four even-even corners around them.
-GridTriangle triangleIn(glm::ivec2 cell, glm::dvec2 fraction)
+PlanCorners triangleIn(glm::ivec2 cell, glm::dvec2 fraction)
 {
     const glm::ivec2 sw = cell, se = cell + glm::ivec2(1, 0), nw = cell + glm::ivec2(0, 1),
                      ne = cell + glm::ivec2(1);
     if ((cell.x + cell.y) % 2 == 0)
-        return fraction.x >= fraction.y ? GridTriangle{se, ne, sw} : GridTriangle{nw, sw, ne};
-    return fraction.x + fraction.y <= 1.0 ? GridTriangle{sw, se, nw} : GridTriangle{ne, nw, se};
+        return fraction.x >= fraction.y ? PlanCorners{se, ne, sw} : PlanCorners{nw, sw, ne};
+    return fraction.x + fraction.y <= 1.0 ? PlanCorners{sw, se, nw} : PlanCorners{ne, nw, se};
 }
 
 class Search
@@ -36,7 +36,7 @@ class Search
 public:
     Search(const PlacedTile& tile, glm::dvec2 target) : _tile(tile), _target(target) {}
 
-    VerticalHit intersect(const GridTriangle& triangle) const
+    VerticalHit intersect(const PlanCorners& triangle) const
     {
         std::array<glm::dvec3, 3> positions;
         std::array<glm::dvec2, 3> grid;
@@ -48,7 +48,7 @@ public:
         return verticalHit(positions, grid, _target);
     }
 
-    bool isGround(const GridTriangle& triangle) const
+    bool isGround(const PlanCorners& triangle) const
     {
         return std::all_of(triangle.begin(), triangle.end(),
                            [this](const glm::ivec2& corner)
@@ -70,7 +70,7 @@ public:
         for (int step = 0; step < kMaxSteps; ++step)
         {
             const glm::ivec2 cell = cellAt(grid);
-            const GridTriangle triangle = triangleIn(cell, grid - glm::dvec2(cell));
+            const PlanCorners triangle = triangleIn(cell, grid - glm::dvec2(cell));
             const VerticalHit hit = intersect(triangle);
             if (hit.isInside()) return isGround(triangle) ? std::optional(hit) : std::nullopt;
             if (!std::isfinite(hit.grid.x) || !std::isfinite(hit.grid.y)) return std::nullopt;
@@ -92,7 +92,7 @@ public:
                 // These two points lie in different halves for either diagonal.
                 for (const glm::dvec2 half : {glm::dvec2(0.75, 0.5), glm::dvec2(0.25, 0.5)})
                 {
-                    const GridTriangle triangle = triangleIn(cell, half);
+                    const PlanCorners triangle = triangleIn(cell, half);
                     if (!isGround(triangle)) continue;
                     if (const VerticalHit hit = intersect(triangle); hit.isInside()) return hit;
                 }

@@ -1,13 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include <foundation/KeptResults.h>
+#include <foundation/PlainBytes.h>
+
+#include <osgTerrainROAM/core/heightfield/SampleRaster.h>
 #include <osgTerrainROAM/core/roam/BoundsUpdate.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
 namespace osgTerrainROAM::core
 {
 
-RoamTile::RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), regions(tile), hidingGround(tile)
+namespace
+{
+
+/// Everything that the bounds of a tile follow from, while it has neither edits nor dense parts.
+foundation::ContentMark markOf(const PlacedTile& tile)
+{
+    const TileGrid& grid = tile.grid();
+    const SampleTable& table = tile.samples().table();
+    const Geodetic origin = tile.frame().origin();
+    foundation::ContentMark mark;
+    for (const int count : {grid.side(), grid.dataColumns(), grid.dataRows(), grid.exponent(),
+                            static_cast<int>(tile.frame().placement())})
+        mark.addWord(static_cast<std::uint64_t>(count));
+    mark.add(std::vector<double>{tile.field().spacingEastM, tile.field().spacingNorthM, origin.latitudeDeg,
+                                 origin.longitudeDeg, origin.heightM, table.heightQuantumM()});
+    if (const auto& net = tile.field().net)
+        mark.addWord(static_cast<std::uint64_t>(net->step)).add(net->nodes);
+    std::vector<float> heightsM(table.size());
+    for (std::size_t i = 0; i < heightsM.size(); ++i)
+        heightsM[i] = table.heightM(i);
+    mark.add(heightsM);
+    const SampleRaster raster(tile);
+    std::vector<std::uint8_t> isThere;
+    for (int row = 0; row < raster.dataRows() && tile.samples().hasHoles(); ++row)
+        for (int column = 0; column < raster.dataColumns(); ++column)
+            isThere.push_back(tile.samples().mask().holds(column, row) ? 1 : 0);
+    return mark.add(isThere);
+}
+
+} // namespace
+
+RoamTile::RoamTile(PlacedTile placedTile, const foundation::KeptResults* kept)
+    : tile(std::move(placedTile)), regions(tile), hidingGround(tile)
+{
+    if (!kept || !tile.samples().sheets().empty())
+        measureBounds();
+    else
+    {
+        _mark = markOf(tile);
+        const auto take = [&](std::string_view bytes)
+        { return takeBounds(bytes) ? std::optional(true) : std::nullopt; };
+        const auto measure = [&]
+        {
+            measureBounds();
+            return true;
+        };
+        kept->findOrMake("bounds", *_mark, take, measure, [&](bool) { return boundBytes(); });
+    }
+    admitSheets();
+}
+
+void RoamTile::measureBounds()
 {
     const ErrorTree measured(tile);
     const int step = tile.grid().cellSide();
@@ -16,7 +74,59 @@ RoamTile::RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), regions
         for (int column = 0; column < tile.grid().side(); column += step, ++v)
             if (tile.grid().isInData(column, row) || measured.errorM(v) > 0.0f)
                 setBound({column, row}, measured.errorM(v), measured.radiusM(v));
-    admitSheets();
+}
+
+/// The bounds of the raster's samples, then those beyond the data.
+std::string RoamTile::boundBytes() const
+{
+    const SampleTable& table = tile.samples().table();
+    std::vector<Bound> bounds(table.size());
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+    {
+        const SampleTable::Sample sample = table.sample(i);
+        bounds[i] = {sample.errorM, sample.radiusM};
+    }
+    std::vector<std::uint64_t> keys;
+    for (const auto& [key, bound] : _beyond)
+        keys.push_back(key);
+    std::sort(keys.begin(), keys.end());
+    std::vector<Bound> beyond;
+    for (const std::uint64_t key : keys)
+        beyond.push_back(_beyond.at(key));
+    std::string bytes;
+    foundation::appendValues(bytes, bounds);
+    foundation::appendValues(bytes, keys);
+    foundation::appendValues(bytes, beyond);
+    return bytes;
+}
+
+/// False, and nothing is changed: the bytes are not what boundBytes() wrote.
+bool RoamTile::takeBounds(std::string_view bytes)
+{
+    foundation::ValueTaker taker(bytes);
+    std::vector<Bound> bounds, beyond;
+    std::vector<std::uint64_t> keys;
+    if (!taker.take(bounds) || !taker.take(keys) || !taker.take(beyond) || !taker.isEmpty()) return false;
+    if (bounds.size() != tile.samples().table().size() || keys.size() != beyond.size()) return false;
+    const auto isBound = [](const Bound& bound) { return bound.errorM >= 0.0f && bound.radiusM >= 0.0f; };
+    const auto isBeyond = [&](std::uint64_t key)
+    {
+        const GridPoint v = placeOf(key);
+        return v.column >= 0 && v.row >= 0 && v.column < tile.grid().side() && v.row < tile.grid().side() &&
+               !tile.grid().isInData(v.column, v.row);
+    };
+    if (!std::all_of(bounds.begin(), bounds.end(), isBound) ||
+        !std::all_of(beyond.begin(), beyond.end(), isBound) ||
+        !std::all_of(keys.begin(), keys.end(), isBeyond))
+        return false;
+    const int step = tile.grid().cellSide();
+    std::size_t i = 0;
+    for (int row = 0; row < tile.grid().dataRows(); row += step)
+        for (int column = 0; column < tile.grid().dataColumns(); column += step, ++i)
+            tile.samples().setBound(column, row, bounds[i].errorM, bounds[i].radiusM);
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        _beyond[keys[k]] = beyond[k];
+    return true;
 }
 
 void RoamTile::admitSheets()

@@ -4,6 +4,8 @@
 #include <map>
 #include <vector>
 
+#include <foundation/KeptFrom.h>
+
 #include <osgTerrainROAM/core/cover/CoverTable.h>
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
@@ -26,8 +28,9 @@ struct CoverMap
 /// resolution but no more than 8192 texels a side. Takes the nearest class, never a mean. NoData, and texels
 /// beyond the raster, are unknown.
 /// Errors: not a raster, no georeference that can be related to the tile's, no known class on the tile.
+/// `kept`: what follows from the tile (RoamTile::mark()); what a GeoTIFF gave is found there the second time.
 /// Memory: 1 B a texel, 2 B during the import. Threads: any.
 foundation::Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable& table,
-                                         const PlacedTile& tile);
+                                         const PlacedTile& tile, const foundation::KeptFrom& kept = {});
 
 } // namespace osgTerrainROAM::core

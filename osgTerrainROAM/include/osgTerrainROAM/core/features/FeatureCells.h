@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <foundation/ContentMark.h>
 #include <foundation/Result.h>
 #include <glm/glm.hpp>
 
@@ -78,5 +79,8 @@ struct FeatureCells
     /// m.
     static foundation::Result<FeatureCells> build(const std::vector<GroundFeature>& features);
 };
+
+/// The mark of all values of cells.
+foundation::ContentMark markOfCells(const FeatureCells& cells);
 
 } // namespace osgTerrainROAM::core

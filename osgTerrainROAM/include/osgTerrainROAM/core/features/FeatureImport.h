@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include <foundation/KeptFrom.h>
 #include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/features/GroundFeature.h>
@@ -21,6 +22,9 @@ namespace osgTerrainROAM::core
 /// with georeference (its metres are not those of the source); nothing to paint. Invalid, unknown and
 /// outlying features are left out and counted.
 /// Cost: about 3 µs a vertex. Threads: any.
-foundation::Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile);
+/// `kept`: what follows from the tile (RoamTile::mark()); what a GeoPackage held is found there at the second
+/// import.
+foundation::Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile,
+                                              const foundation::KeptFrom& kept = {});
 
 } // namespace osgTerrainROAM::core

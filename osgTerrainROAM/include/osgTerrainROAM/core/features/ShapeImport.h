@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <foundation/KeptFrom.h>
 #include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
@@ -48,6 +49,9 @@ struct ShapeSet
 /// tile's ground, as importFeatures() does.
 /// Errors: as importFeatures(), but for a source that has none of them. Cost: about 3 µs a vertex. Threads:
 /// any.
-foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile);
+/// `kept`: what follows from the tile (RoamTile::mark()); what a GeoPackage held is found there at the second
+/// import.
+foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile,
+                                          const foundation::KeptFrom& kept = {});
 
 } // namespace osgTerrainROAM::core

@@ -5,15 +5,23 @@
 #include <deque>
 #include <optional>
 #include <shared_mutex>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include <foundation/ContentMark.h>
 #include <glm/glm.hpp>
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
 #include <osgTerrainROAM/core/roam/RegionBounds.h>
+
+namespace foundation
+{
+class KeptResults;
+}
 
 namespace osgTerrainROAM::core
 {
@@ -41,7 +49,9 @@ struct TileChange
 class RoamTile
 {
 public:
-    explicit RoamTile(PlacedTile placedTile);
+    /// Measures the bounds of the vertices (ErrorTree), or finds them among the kept results: the same either
+    /// way. Those of a tile with dense parts are not kept. `kept` null: measures.
+    explicit RoamTile(PlacedTile placedTile, const foundation::KeptResults* kept = nullptr);
 
     /// The bounds of the bintree vertex at a point of the grid.
     SplitBound bound(GridPoint v) const
@@ -95,6 +105,16 @@ public:
     std::optional<std::vector<const TileChange*>> changesSince(std::uint64_t revision) const;
     void note(TileChange change);
 
+    /// The mark of everything that the samples and their bounds follow from. Absent: the tile was made
+    /// without kept results, has dense parts, or an editor has changed it.
+    std::optional<foundation::ContentMark> mark() const { return _revision == 0 ? _mark : std::nullopt; }
+
+    /// Adds what else the samples follow from, after they were changed without an editor.
+    void addToMark(std::string_view bytes)
+    {
+        if (_mark) _mark->add(bytes);
+    }
+
     std::shared_mutex& mutex() const { return _mutex; }
 
     PlacedTile tile;
@@ -119,6 +139,9 @@ private:
 
     SplitBound boundBeyond(GridPoint v) const;
     void admitSheets();
+    void measureBounds();
+    std::string boundBytes() const;
+    bool takeBounds(std::string_view bytes);
 
     static constexpr std::size_t kMostNoted = 1 << 20; ///< vertices and rectangles
 
@@ -127,6 +150,7 @@ private:
     std::deque<TileChange> _changes; ///< the last of them leads to _revision
     std::size_t _noted = 0;
     std::uint64_t _revision = 0;
+    std::optional<foundation::ContentMark> _mark; ///< without what editors have changed
     mutable std::shared_mutex _mutex;
 };
 
