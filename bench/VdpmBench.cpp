@@ -2,7 +2,8 @@
 // Measures view-dependent progressive meshes beside ROAM in one run: preparation, memory, triangles at equal
 // error, and what adapting costs from frame to frame. Times are of the thread's processor time. The crops are
 // those on which methods are compared.
-// OSGTRAINER_REAL_DATA=… build/bin/vdpm_bench [SIDE] SIDE: of the part of each crop, samples (the whole crop)
+//   OSGTRAINER_REAL_DATA=… build/bin/vdpm_bench [SIDE]      SIDE: of the part of each crop, samples (the
+//                                                             whole crop)
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>

@@ -13,7 +13,7 @@ function columns(text)
 function lead(line) { return match(line, /^ *\/\/(\/<?)? /) ? substr(line, 1, RLENGTH) : "" }
 
 # Whether a text begins a paragraph: a tag of a doc comment, an item of a list, a row of a table, a line that is set in.
-function begins(text) { return text ~ /^([A-Z][A-Za-z ]*:( |$)|`[^`]*`(, `[^`]*`)*:|[-*|@] ?|[0-9]+\. |  |NOLINT|clang-format|SPDX)/ }
+function begins(text) { return text ~ /^([A-Z][A-Za-z ]*:( |$)|`[^`]*`(, `[^`]*`)*:|[-*|@] ?|[0-9]+\. | |NOLINT|clang-format|SPDX)/ }
 
 # Adds a paragraph of words to what is written.
 function fill(before, text,    words, count, i, line)
@@ -29,6 +29,23 @@ function fill(before, text,    words, count, i, line)
         }
     }
     out[++outCount] = line
+}
+
+# The column at which a line that is set in, or an item of a list, goes on below: that of its last cell, or two behind where it begins.
+function columnOf(text) { return text !~ /^- / && match(text, /^ *[^ ]+.*  +[^ ]/) ? RLENGTH - 1 : match(text, /[^ ]/) + 1 }
+
+# Adds a row of a table, a formula, or an item: what is too much goes below, from a column on.
+function hang(before, text, column,    rest, i)
+{
+    while (columns(before text) > width) {
+        for (i = length(text); i > column + 1 && (substr(text, i, 1) != " " || columns(before substr(text, 1, i - 1)) > width); i--) {}
+        if (i <= column + 1) break
+        rest = substr(text, i + 1)
+        sub(/ +$/, "", text)
+        out[++outCount] = before substr(text, 1, i - 1)
+        text = sprintf("%*s%s", column, "", rest)
+    }
+    out[++outCount] = before text
 }
 
 # Adds a line of code whose comment goes above the first line of its declaration.
@@ -68,7 +85,7 @@ function name(    n)
 }
 
 # Writes the file that was read anew, where a line of it is too long.
-function write(    n, before, text)
+function write(    n, before, text, column)
 {
     for (n = 1; n <= count && !isTooLong(lines[n]); n++) {}
     if (n > count) return
@@ -79,6 +96,12 @@ function write(    n, before, text)
             out[++outCount] = lines[n]
         } else if (before == "") {
             lift(lines[n])
+        } else if (substr(lines[n], length(before) + 1) ~ /^(- | )/) {
+            text = substr(lines[n], length(before) + 1)
+            column = columnOf(text)
+            while (n < count && lead(lines[n + 1]) == before && match(substr(lines[n + 1], length(before) + 1), /[^ ]/) == column + 1)
+                text = text " " substr(lines[++n], length(before) + column + 1)
+            hang(before, text, column)
         } else {
             text = substr(lines[n], length(before) + 1)
             while (n < count && lead(lines[n + 1]) == before && !begins(substr(lines[n + 1], length(before) + 1)))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds a road 7 m wide into a terrain while it is shown, paints it, and makes a crater beside it:
-// built_road dem.tif FOLDER [LENGTH] writes before.png, driver.png, above.png, undone.png; LENGTH in metres
+//   built_road dem.tif FOLDER [LENGTH]      writes before.png, driver.png, above.png, undone.png; LENGTH in
+//                                           metres
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shows land cover through the year and into the night. Season and sun are uniforms, so nothing is built
 // again:
-// changing_year place.roam FOLDER writes january.png, may.png, july.png, october.png, dusk.png, night.png
+//   changing_year place.roam FOLDER       writes january.png, may.png, july.png, october.png, dusk.png,
+//                                         night.png
 #include <cstdio>
 #include <filesystem>
 

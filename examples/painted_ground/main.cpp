@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paints roads, rivers, fields and a runway from a map on a terrain, and writes a picture:
-// painted_ground place.roam picture.png [EAST NORTH HEIGHT HEADING PITCH] of the eye: metres, degrees; HEIGHT
-// above ground
+//   painted_ground place.roam picture.png [EAST NORTH HEIGHT HEADING PITCH]      of the eye: metres, degrees;
+//                                                                                HEIGHT above ground
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws ten thousand copies of a model, each at the level of detail that the view needs, in a few draw calls:
-// planted_field FOLDER [MODEL] writes among.png, above.png; without MODEL: firs made of a cone and a trunk
+//   planted_field FOLDER [MODEL]      writes among.png, above.png; without MODEL: firs made of a cone and a
+//                                     trunk
 #include <cmath>
 #include <cstdio>
 #include <filesystem>

@@ -41,8 +41,7 @@ foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& 
                                           const foundation::KeptResults* kept = nullptr);
 
 /// Returns the drawn surface of the roads of a description, found among the kept results or made and kept.
-/// `kept`: what follows from the tile
-/// (RoamTile::mark()).
+/// `kept`: what follows from the tile (RoamTile::mark()).
 osgRoads::core::RoadMesh roadMeshOf(const osgTerrainROAM::core::RoamFile& description,
                                     const SceneRoads& roads, const foundation::KeptFrom& kept);
 

@@ -29,13 +29,10 @@ struct PathPoint
 
 /// A polyline as a curve, which passes through each vertex exactly at its parameter:
 /// - `position`: straight between vertices. Headings given by the vertices are reached in the middle of the
-/// segment
-/// that the vertex begins, and turn evenly from middle to middle; without them the heading is that of the
-/// segment,
-///   and turns within 2 m before and after each corner (esmini does the same);
+///   segment that the vertex begins, and turn evenly from middle to middle; without them the heading is that
+///   of the segment, and turns within 2 m before and after each corner (esmini does the same);
 /// - `follow`: the natural cubic spline through the vertices, so that speed, bank and pitch do not jump.
-/// Headings are
-///   the spline through those of the vertices, or those of the curve when a vertex has none.
+///   Headings are the spline through those of the vertices, or those of the curve when a vertex has none.
 /// - `straight`: straight between vertices; headings given by the vertices turn evenly from vertex to vertex.
 /// Pitch and roll are interpolated when every vertex gives one, else absent. A closed curve returns from its
 /// last vertex to its first and repeats; its parameter wraps.

@@ -15,8 +15,7 @@ namespace simulation
 /// NURBS has one for each metre of its control polygon, as in esmini. Times are those of the shape:
 /// - a clothoid, or each one of a spline, is driven evenly from its start time to its end;
 /// - a NURBS is at the place where the basis function of a control point is greatest at the time of that
-/// point, and its
-///   parameter grows evenly between (the standard does not say; esmini does the same).
+///   point, and its parameter grows evenly between (the standard does not say; esmini does the same).
 /// `actor`: where a spline begins that does not say it; null: nowhere. Nothing: a position cannot be placed.
 std::optional<Polyline> sampledShape(const TrajectoryShape& shape, const PositionSolver& positions,
                                      const EntityState* actor);

@@ -14,10 +14,11 @@ namespace trainer
 {
 
 /// Returns the statistics as JSON text:
-/// {"frames": [{"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs",
-/// "maxErrorPx", "wallMs", "processorMs", "uploadBytes", "residentMb"}, …], "summary": {"frames": n,
-/// "triangles": {"first", "median", "p99", "max"}, …}}; median, p99 and max are those of the frames behind
-/// the first. With a scenery each frame has, besides, "objectsVisible", "objectsDrawn", "objectsSwitching",
+///   {"frames": [{"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs",
+///                "maxErrorPx", "wallMs", "processorMs", "uploadBytes", "residentMb"}, …],
+///    "summary": {"frames": n, "triangles": {"first", "median", "p99", "max"}, …}}
+/// median, p99 and max are those of the frames behind the first.
+/// With a scenery each frame has, besides, "objectsVisible", "objectsDrawn", "objectsSwitching",
 /// "objectTriangles", "objectCullMs" and "objectMethods": {METHOD: {"objects", "switched", "clamped",
 /// "fullArea", "faded", "gone", "triangles"}, …} of those in sight. With stages of the opening, there is
 /// "opening": [{"stage", "wallS", "processorS"}, …], in their order. `withTimings` false leaves the measured

@@ -82,10 +82,8 @@ public:
     }
 
     /// Returns the result kept under a name and a mark of the inputs, or makes it and keeps it. `read`: takes
-    /// the bytes as a string_view, and returns an optional
-    /// that is absent where `write` did not write them; `write`: returns the bytes of a result. `make` may
-    /// return a Result: failures
-    /// are not kept.
+    /// the bytes as a string_view, and returns an optional that is absent where `write` did not write them;
+    /// `write`: returns the bytes of a result. `make` may return a Result: failures are not kept.
     template<class Read, class Make, class Write>
     auto findOrMake(std::string_view name, const ContentMark& inputs, const Read& read, const Make& make,
                     const Write& write) const -> decltype(make())
@@ -164,8 +162,8 @@ private:
     std::filesystem::path _folder;
     ContentMark _program;
     std::uintmax_t _mostBytes = kMostBytes;
-    mutable std::atomic<std::uintmax_t> _unchecked =
-        kMostBytes; ///< written since removeOldest(); at first, by others
+    /// Written since removeOldest(); at first, by others.
+    mutable std::atomic<std::uintmax_t> _unchecked = kMostBytes;
 };
 
 } // namespace foundation

@@ -15,9 +15,8 @@ namespace foundation
 {
 
 /// Returns a mark of the bytes of a GeoPackage (.gpkg) or GeoTIFF (.tif, .tiff), if they are all that reading
-/// it follows from. Absent: it is of another
-/// kind (a .vrt names more files), or cannot be read, or beside it lies a file that GDAL reads with it
-/// (map.gpkg-wal, map.tif.aux.xml, map.tfw).
+/// it follows from. Absent: it is of another kind (a .vrt names more files), or cannot be read, or beside it
+/// lies a file that GDAL reads with it (map.gpkg-wal, map.tif.aux.xml, map.tfw).
 /// Cost: that of reading the file, and the names in its folder.
 inline std::optional<ContentMark> markOfSoleFile(const std::filesystem::path& file)
 {

@@ -17,17 +17,14 @@ namespace osgPMObjects::core
 
 /// One step from a level to the next coarser one. Its bytes in ProgressiveMesh::records:
 ///
-/// head 1 byte: vanished faces (2 bits; 3: a number follows), patched faces (4 bits; 15: a number follows), 1
-/// bit for
-///                 several removed wedges, 1 bit for moves
+///     head        1 byte: vanished faces (2 bits; 3: a number follows), patched faces (4 bits; 15: a number
+///                 follows), 1 bit for several removed wedges, 1 bit for moves
 ///     [numbers]   vanished faces; patched faces; removed wedges and the patched faces of each
-/// slots of the patched faces, by removed wedge from the last on, then of the vanished faces; each list
-/// ascends. The
-/// first slot of all has slotBytes; the first of a later list is a difference to that of the list before;
-///                 all others are differences to their predecessors
-/// vanished by face: 1 byte that tells how to restore its corners from those of the patched faces
-/// (VanishedFace); or 255
-///                 and its three wedges
+///     slots       of the patched faces, by removed wedge from the last on, then of the vanished faces; each
+///                 list ascends. The first slot of all has slotBytes; the first of a later list is a
+///                 difference to that of the list before; all others are differences to their predecessors
+///     vanished    by face: 1 byte that tells how to restore its corners from those of the patched faces
+///                 (VanishedFace); or 255 and its three wedges
 ///     [moves]     the number of rearrangements, then each of them
 ///     length      of the bytes above: 1 byte, or 4 bytes and a byte 0
 ///

@@ -22,15 +22,13 @@ struct Climate
 
 /// Estimates the climate of a position on the Earth by a rule of thumb, for looks only:
 /// - tree line, between fixed points over latitude: 0° 3700 m, 30° 3900 m, 47° 2050 m, 60° 1050 m, 70° 350 m,
-/// 80° 0;
+///   80° 0;
 /// - snow line (early summer, some 600 m below that of late summer): 0° 4700 m, 30° 4800 m, 36° 3250 m, 47°
-/// 2550 m,
-///   60° 1300 m, 70° 600 m, 85° 0; both a quarter lower south of 40° S, where the oceans keep summers cool;
+///   2550 m, 60° 1300 m, 70° 600 m, 85° 0; both a quarter lower south of 40° S, where the oceans keep summers
+///   cool;
 /// - aridity: 0.12, raised within ellipses around the world's dry lands (Sahara and Arabia, Iran and
-/// Turkestan,
-/// Gobi, Thar, western North America's basins, Atacama and the dry Andes, eastern Patagonia, Kalahari and
-/// Namib,
-///   inner Australia); drier air lifts the snow line by up to 700 m.
+///   Turkestan, Gobi, Thar, western North America's basins, Atacama and the dry Andes, eastern Patagonia,
+///   Kalahari and Namib, inner Australia); drier air lifts the snow line by up to 700 m.
 /// Units: degrees. The result depends on the arguments alone.
 Climate climateAt(double latitudeDeg, double longitudeDeg);
 

@@ -47,27 +47,34 @@ struct RoadsOrigin
 
 /// The content of a `.roam` file, which describes a terrain. Text, one `key = value` a line, `#` starts a
 /// comment.
-/// dem = FILE an elevation raster; the only required key. Several are joined (importDems)
-/// voids = fill | keep | show missing samples: filled smoothly, or holes in the ground, or filled and
-/// coloured
-/// imagery = FILE any raster GDAL opens, draped over the terrain; up to four, the finest wins
-/// features = FILE roads, rivers, fields, runways of any source that OGR opens; may be repeated
+///   dem = FILE                        an elevation raster; the only required key. Several are joined
+///                                     (importDems)
+///   voids = fill | keep | show        missing samples: filled smoothly, or holes in the ground, or filled
+///                                     and coloured
+///   imagery = FILE                    any raster GDAL opens, draped over the terrain; up to four, the finest
+///                                     wins
+///   features = FILE                   roads, rivers, fields, runways of any source that OGR opens; may be
+///                                     repeated
 ///   buildings = FILE                  footprints of buildings, of any source that OGR opens; may be repeated
 ///   objects = FILE                    points where generated models stand; may be repeated
-/// structures = FILE lines and points of walls, fences, power lines, railways, turbines; may be repeated
-/// earthworks = FILE areas and lines with heights that the ground is cut and filled to; may be repeated
+///   structures = FILE                 lines and points of walls, fences, power lines, railways, turbines;
+///                                     may be repeated
+///   earthworks = FILE                 areas and lines with heights that the ground is cut and filled to; may
+///                                     be repeated
 ///   land_cover = FILE                 a raster of classes
 ///   land_cover_classes = worldcover | corine | FILE    what its classes mean (CoverTable.h)
 ///   season = MONTH | 0…1              january … december, or a share of the year; absent: early summer
 ///   roads = FILE.xodr                 a road network that the ground is cut to
-/// edits = FILE heights that edits have left (EditFile.h), in place of cutting the ground to the roads
-/// roads_origin = LAT LON [HEADING] of the network's (0, 0), degrees; heading of its y axis, clockwise from
-/// north
+///   edits = FILE                      heights that edits have left (EditFile.h), in place of cutting the
+///                                     ground to the roads
+///   roads_origin = LAT LON [HEADING]  of the network's (0, 0), degrees; heading of its y axis, clockwise
+///                                     from north
 ///   roads_heights = file | ground     the network's own heights, or added to those of the smoothed ground
 ///   origin = LAT LON [HEIGHT]         of the local frame, degrees and metres
 ///   placement = curved | planar
 ///   spacing = METRES                  of a raster without georeference
-/// finest_spacing = METRES of samples that edits may add; absent: edits change the raster's samples only
+///   finest_spacing = METRES           of samples that edits may add; absent: edits change the raster's
+///                                     samples only
 ///   vertical_datum = automatic | egm96 | ellipsoid
 ///   method = NAME                     of level of detail (Method.h)
 ///   error_tolerance = PIXELS          max_triangles = COUNT

@@ -21,10 +21,8 @@ namespace osgTerrainROAM::core
 ///
 /// Records are texels of four floats. A cell's list holds, in this order:
 /// - areas, in the order of painting; each is [edges, kind, crop, seed] [row direction east, north, its
-/// middle's place across and along
-///   the rows modulo kWayPeriodM]
-/// and `edges` × [east, north, east, north]: a clipped polygon's edges, less those that no ray to the east
-/// can meet;
+///   middle's place across and along the rows modulo kWayPeriodM] and `edges` × [east, north, east, north]: a
+///   clipped polygon's edges, less those that no ray to the east can meet;
 /// - lines, rivers before roads; each is [east, north, east, north] [half width, way to its first end modulo
 ///   kWayPeriodM, code, road's number], with code = kind + 4·pavement + 16·lanes + 256·marked;
 /// - strokes; each is [east, north, east, north] [half width, paint, 0, 0]: a rectangle with a middle line.

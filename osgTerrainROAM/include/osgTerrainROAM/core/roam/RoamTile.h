@@ -50,8 +50,7 @@ class RoamTile
 {
 public:
     /// Measures the bounds of the vertices (ErrorTree), or finds them among the kept results: the same either
-    /// way. Those of a tile with
-    /// dense parts are not kept. `kept` null: measures.
+    /// way. Those of a tile with dense parts are not kept. `kept` null: measures.
     explicit RoamTile(PlacedTile placedTile, const foundation::KeptResults* kept = nullptr);
 
     /// The bounds of the bintree vertex at a point of the grid.
@@ -107,8 +106,7 @@ public:
     void note(TileChange change);
 
     /// The mark of everything that the samples and their bounds follow from. Absent: the tile was made
-    /// without kept results, has dense parts,
-    /// or an editor has changed it.
+    /// without kept results, has dense parts, or an editor has changed it.
     std::optional<foundation::ContentMark> mark() const { return _revision == 0 ? _mark : std::nullopt; }
 
     /// Adds what else the samples follow from, after they were changed without an editor.
