@@ -3,7 +3,7 @@
 
 file(GLOB includeFolders LIST_DIRECTORIES true RELATIVE "${ROOT}" "${ROOT}/osg*/src" "${ROOT}/osg*/src/core/*" "${ROOT}/tests/core/*"
     "${ROOT}/tests/osg/*")
-list(PREPEND includeFolders . apps apps/trainer tests/support data data/generator bench)
+list(PREPEND includeFolders . apps apps/trainer osgSession tests/support data data/generator bench)
 
 # The path of a file below ROOT, normal, if it is there; else nothing.
 function(fileBelowRoot candidate out)

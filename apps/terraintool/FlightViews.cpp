@@ -6,7 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "ground/TileGround.h"
+#include "scenery/ground/TileGround.h"
 #include "simulation/player/ScenarioPlayer.h"
 
 namespace terraintool

@@ -34,10 +34,12 @@ function(plantTree)
             "measurement/Flight.h|osgTerrainROAM/core/Tile.h"
             "measurement/view/Sheet.h|osgOffscreen/Capture"
             "apps/terminal/Terminal.h|foundation/Result.h"
-            "apps/ground/Ground.h|osgTerrainROAM/core/Tile.h"
+            "scenery/ground/Ground.h|osgTerrainROAM/core/Tile.h"
             "apps/pmtool/polygons/Polygons.h|array"
             "apps/trainer/input/Keys.h|simulation/Clock.h"
-            "apps/trainer/view/Scene.cpp|osgTerrainROAM/Terrain"
+            "osgSession/src/core/Steps.h|simulation/Clock.h"
+            "osgSession/view/Scene.cpp|osgTerrainROAM/Terrain"
+            "apps/trainer/hud/Hud.cpp|osgTerrainROAM/Terrain"
             "apps/terraintool/main.cpp|osgTerrainROAM/core/Tile.h"
             "bench/Frames.cpp|osgTerrainROAM/Terrain"
             "bench/compare/Tables.cpp|Frames.cpp"
@@ -117,7 +119,7 @@ expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTraversal/C
 expectBreach(osgPMObjects/include/osgPMObjects/core/Mesh.h "#include <osgTraversal/CullFacts>")
 expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgTraversal/NotThere>")
 expectBreach(simulation/Clock.h "#include <osg/Timer>")
-expectBreach(simulation/Clock.h "#include \"../apps/trainer/view/Scene.cpp\"")
+expectBreach(simulation/Clock.h "#include \"../osgSession/view/Scene.cpp\"")
 expectBreach(scenery/models/Tree.h "#include <osg/Image>")
 expectBreach(scenery/models/Tree.h "#include <osgPMObjects/Object>")
 expectBreach(scenery/placement/Place.h "#include <osg/Matrixd>")
@@ -125,7 +127,7 @@ expectBreach(scenery/placement/Place.h "#include \"../../simulation/Clock.h\"")
 expectBreach(apps/terraintool/main.cpp "#include \"../trainer/view/Scene.cpp\"")
 expectBreach(apps/terraintool/main.cpp "#include \"../../bench/Frames.cpp\"")
 expectBreach(apps/terraintool/main.cpp "#include \"Frames.cpp\"")
-expectBreach(apps/trainer/view/Scene.cpp "#include \"terraintool/main.cpp\"")
+expectBreach(osgSession/view/Scene.cpp "#include \"terraintool/main.cpp\"")
 expectBreach(apps/terminal/Terminal.h "#include \"simulation/Clock.h\"")
 expectBreach(apps/pmtool/polygons/Polygons.h "#include <osg/Node>")
 expectBreach(measurement/Flight.h "#include <osg/Vec3d>")

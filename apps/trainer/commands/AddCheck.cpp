@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "CheckCommand.h"
+#include "actions/CheckCommand.h"
 #include "commands/Commands.h"
 #include "terminal/CommandLine.h"
 

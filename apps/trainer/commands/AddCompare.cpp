@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "CompareCommand.h"
+#include "actions/CompareCommand.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "terminal/CommandLine.h"

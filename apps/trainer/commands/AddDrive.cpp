@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "DriveCommand.h"
-#include "WorldFiles.h"
+#include "actions/DriveCommand.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "commands/RideOptions.h"
 #include "terminal/CommandLine.h"
+#include "world/WorldFiles.h"
 
 namespace trainer
 {

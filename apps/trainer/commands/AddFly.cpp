@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "FlyCommand.h"
-#include "WorldFiles.h"
+#include "actions/FlyCommand.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "commands/RideOptions.h"
 #include "terminal/CommandLine.h"
+#include "world/WorldFiles.h"
 
 namespace trainer
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "HeadlessCommand.h"
-#include "PlayCommand.h"
-#include "PlayTracks.h"
-#include "PlayVariations.h"
+#include "actions/HeadlessCommand.h"
+#include "actions/PlayCommand.h"
+#include "actions/PlayTracks.h"
+#include "actions/PlayVariations.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "simulation/track/ReadTrack.h"

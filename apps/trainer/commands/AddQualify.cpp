@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "QualifyCommand.h"
+#include "actions/QualifyCommand.h"
 #include "commands/Commands.h"
 #include "terminal/CommandLine.h"
 

@@ -6,12 +6,12 @@
 
 #include <osgTerrainROAM/core/method/Method.h>
 
-#include "PlayCommand.h"
-#include "SceneTerrain.h"
-#include "WorldFiles.h"
+#include "actions/PlayCommand.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
+#include "scene/SceneTerrain.h"
 #include "terminal/CommandLine.h"
+#include "world/WorldFiles.h"
 
 namespace trainer
 {

@@ -6,7 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "PlayPlaces.h"
+#include "actions/OpeningProgress.h"
+#include "actions/PlayPlaces.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 
@@ -59,6 +60,7 @@ void PlayOptions::addTo(CLI::App& command)
     addEyeOptions(command);
     addTerrainOptions(command);
     addWindowOptions(command);
+    request.terrain.opening->watchBy(showOpening);
 }
 
 void PlayOptions::addWindowOptions(CLI::App& command)

@@ -7,7 +7,7 @@
 
 #include <foundation/Result.h>
 
-#include "PlayRequest.h"
+#include "play/PlayRequest.h"
 
 namespace CLI
 {

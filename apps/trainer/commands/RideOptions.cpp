@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <map>
 
-#include "RideRequest.h"
+#include "ride/RideRequest.h"
 #include "terminal/CommandLine.h"
 
 namespace trainer

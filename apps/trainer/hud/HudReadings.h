@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "hud/Gauge.h"
-#include "hud/HudUnits.h"
 #include "simulation/vehicle/DynamicVehicle.h"
+#include "view/HudUnits.h"
 
 namespace trainer
 {

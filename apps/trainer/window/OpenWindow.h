@@ -5,7 +5,7 @@
 
 #include <osgViewer/GraphicsWindow>
 
-#include "PlayRequest.h"
+#include "play/PlayRequest.h"
 
 namespace trainer
 {

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "OwnshipEye.h"
-#include "PlayScene.h"
-#include "SceneInterior.h"
+#include "play/OwnshipEye.h"
+#include "play/PlayScene.h"
+#include "play/SceneInterior.h"
 
 namespace trainer
 {

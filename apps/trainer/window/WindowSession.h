@@ -6,12 +6,12 @@
 
 #include <osgOffscreen/FrameCapture>
 
-#include "Ride.h"
-#include "SceneInterior.h"
 #include "hud/Hud.h"
 #include "hud/TextOverlay.h"
 #include "input/DeviceHands.h"
 #include "input/SeatKeys.h"
+#include "play/SceneInterior.h"
+#include "ride/Ride.h"
 #include "simulation/control/HandOver.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/player/LivePlay.h"

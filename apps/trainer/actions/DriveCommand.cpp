@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "DriveCommand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include <foundation/Angle.h>
+
+#include "PlayPlaces.h"
+#include "ride/Ride.h"
+#include "scene/DriveWay.h"
+#include "scene/SceneTerrain.h"
+#include "simulation/control/HandOver.h"
+#include "simulation/control/VehicleMotion.h"
+#include "simulation/control/driver/Driver.h"
+#include "simulation/control/driver/RoadHands.h"
+#include "simulation/control/scenario/VehicleFiles.h"
+#include "simulation/tour/RideEnvironment.h"
+#include "simulation/vehicle/WeatherAir.h"
+#include "simulation/vehicle/road/RoadVehicleFile.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr const char* kCar = "Ego";
+
+simulation::Axle scenarioAxle(const simulation::RoadVehicleData& data, std::size_t index)
+{
+    const simulation::AxleData& axle = data.axles[index];
+    return {index == 0 ? foundation::radiansOf(data.steering.lockDeg) : 0.0, 2.0 * axle.tyre.radiusM,
+            axle.trackM, axle.xM, axle.tyre.radiusM};
+}
+
+/// One vehicle that stands at the begin of its way.
+simulation::Scenario driveScenario(const simulation::RoadVehicleData& data,
+                                   const simulation::DriverPath& path,
+                                   const std::optional<simulation::Geodetic>& origin, double startM,
+                                   const simulation::RideConditions& conditions)
+{
+    simulation::Scenario scenario;
+    scenario.header = {1, 3, "2024-01-01T00:00:00", "osgTrainer", "A drive"};
+    simulation::Vehicle vehicle;
+    vehicle.name = data.name;
+    vehicle.category = simulation::massProperties(data).massKg > 8000.0 ? "bus" : "car";
+    const simulation::HullBox& box = data.hull.boxes.front();
+    double topM = 0.0;
+    for (const simulation::HullBox& part : data.hull.boxes)
+        topM = std::max(topM, part.place.z + 0.5 * part.sizeM.z);
+    vehicle.box = {{box.place.x, 0.0, 0.5 * topM}, box.sizeM.x, box.sizeM.y, topM};
+    vehicle.frontAxle = scenarioAxle(data, 0);
+    vehicle.rearAxle = scenarioAxle(data, 1);
+    scenario.entities.push_back({{}, kCar, vehicle});
+    const glm::dvec3 start = path.placeAt(startM);
+    simulation::TeleportAction teleport;
+    teleport.position = simulation::WorldPosition{
+        {},
+        start.x,
+        start.y,
+        start.z,
+        simulation::Orientation{path.headingRadAt(startM), std::nullopt, std::nullopt}};
+    scenario.storyboard.init.privates.push_back({{}, kCar, {teleport}});
+    simulation::TourTerrain terrain;
+    terrain.origin = origin;
+    terrain.eastM = terrain.northM = 20'000.0;
+    scenario.storyboard.init.globals.push_back(simulation::EnvironmentAction{
+        {}, simulation::rideEnvironment(terrain, path.headingRadAt(startM), conditions)});
+    return scenario;
+}
+
+foundation::Result<std::unique_ptr<simulation::VehicleController>>
+driverOf(const DriveRequest& request, const simulation::RoadVehicle& vehicle, simulation::DriverPath path)
+{
+    if (!request.inputs.empty()) return simulation::openInputs(request.inputs, vehicle);
+    simulation::DriverSettings settings;
+    if (request.speedMps > 0.0) settings.speedMps = request.speedMps;
+    return std::unique_ptr<simulation::VehicleController>(
+        std::make_unique<simulation::Driver>(vehicle, std::move(path), settings));
+}
+
+void tellDrive(const simulation::VehicleMotion& motion)
+{
+    const simulation::ControlledVehicle& vehicle = motion.vehicle();
+    const simulation::VehicleController* controller = vehicle.controller();
+    const auto* const seat = dynamic_cast<const simulation::HandOver*>(controller);
+    if (seat) controller = seat->automatic();
+    const auto* const driver = dynamic_cast<const simulation::Driver*>(controller);
+    const bool isWatched = seat && !seat->wishes().empty();
+    if (driver && (!seat || isWatched))
+        std::printf("driven %.2f s%s, %.1f of %.0f m of lanes, %.3f m from the middle at most\n",
+                    vehicle.now().timeS, isWatched ? " by keys" : "", driver->beside().alongM,
+                    driver->path().lengthM(), driver->worstOffsetM());
+    else
+        std::printf("driven %.2f s by %s\n", vehicle.now().timeS, seat ? "hand" : "recorded inputs");
+    if (!motion.note().empty()) std::printf("note: the vehicle %s\n", motion.note().c_str());
+}
+
+/// Makes one drive after the other along one way.
+class DriveMaker final : public RideMaker
+{
+public:
+    DriveMaker(const DriveRequest& request, const simulation::RoadVehicleData& data,
+               const SceneTerrain& scene, simulation::DriverPath path)
+        : _request(request),
+          _data(std::make_shared<const simulation::RoadVehicleData>(data)),
+          _ground(groundForWheels(scene, request.surface)),
+          _origin(scene.origin()),
+          _path(std::move(path))
+    {
+        if (_origin) _earth = std::make_shared<const simulation::EarthFrame>(*_origin);
+        _startsM.push_back(std::min(_request.startM, _path.lengthM() - 1.0));
+        for (const double share : {0.25, 0.5, 0.75})
+            _startsM.push_back(std::round(share * _path.lengthM()));
+    }
+
+    KeyScope kind() const override { return KeyScope::drive; }
+
+    std::vector<RidePlace> places() const override
+    {
+        std::vector<RidePlace> places;
+        for (const double startM : _startsM)
+        {
+            char name[60], option[60];
+            std::snprintf(name, sizeof name, "at %.0f m of the way", startM);
+            std::snprintf(option, sizeof option, "--start-at %.17g", startM);
+            places.push_back({name, option});
+        }
+        return places;
+    }
+
+    foundation::Result<Ride> make(std::size_t place) override
+    {
+        auto car = std::make_unique<simulation::RoadVehicle>(_data, _earth);
+        auto controller = driverOf(_request, *car, _path);
+        if (!controller) return controller.error();
+        if (_request.hasWindow())
+            *controller = std::make_unique<simulation::HandOver>(
+                std::move(*controller), simulation::driverHands(*car), _request.inputs.empty());
+        auto* const hands = dynamic_cast<simulation::HandOver*>(controller->get());
+        auto driven = std::make_unique<simulation::ControlledVehicle>(std::move(car), std::move(*controller));
+        if (!_request.recordInputs.empty()) driven->record();
+        auto motion = std::make_shared<simulation::VehicleMotion>(
+            std::move(driven), _ground, std::make_shared<const simulation::WeatherAir>());
+        motion->followWeather(_origin ? _origin->heightM : 0.0, 0.0);
+        return Ride{driveScenario(*_data, _path, _origin, _startsM[place], _request.conditions), kCar,
+                    std::move(motion), "drive", hands};
+    }
+
+private:
+    const DriveRequest& _request;
+    std::shared_ptr<const simulation::RoadVehicleData> _data;
+    std::shared_ptr<const simulation::Ground> _ground;
+    std::optional<simulation::Geodetic> _origin;
+    std::shared_ptr<const simulation::EarthFrame> _earth;
+    simulation::DriverPath _path;
+    std::vector<double> _startsM;
+};
+
+} // namespace
+
+foundation::Outcome checkDrive(const DriveRequest& request)
+{
+    if (const auto usable = checkBeforeRide(request); !usable) return usable;
+    const auto vehicle = simulation::readRoadVehicle(request.vehicle);
+    return vehicle ? foundation::success() : vehicle.error();
+}
+
+foundation::Outcome drive(const DriveRequest& request)
+{
+    const std::filesystem::path& world = request.play.terrain.file;
+    const auto data = simulation::readRoadVehicle(request.vehicle);
+    if (!data) return data.error();
+    auto scene = openElevation(world, request.play.terrain);
+    if (!scene) return scene.error();
+    const auto path = driveWay(*scene, world.string(), request.lengthM);
+    if (!path) return path.error();
+    DriveMaker maker(request, *data, *scene, *path);
+    const auto motion = playRides(request, std::move(*scene), maker);
+    if (!motion) return motion.error();
+    tellDrive(**motion);
+    return foundation::success();
+}
+
+} // namespace trainer

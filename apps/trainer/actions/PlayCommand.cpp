@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "PlayCommand.h"
+
+#include <iostream>
+
+#include <foundation/WholeFile.h>
+
+#include "PlayPlaces.h"
+#include "ScenarioProblems.h"
+#include "SceneTour.h"
+#include "play/PlaySession.h"
+#include "scene/ScenarioStage.h"
+#include "simulation/parser/ParseScenario.h"
+#include "simulation/writer/WriteScenario.h"
+#include "terminal/Progress.h"
+#include "view/HtmlReport.h"
+#include "view/StatisticsFile.h"
+#include "window/WindowSession.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std::filesystem::path& file)
+{
+    if (file.empty()) return foundation::success();
+    const auto text = simulation::scenarioText(scenario);
+    if (!text) return text.error();
+    return foundation::writeWholeFile(file, *text);
+}
+
+foundation::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
+{
+    const int limit =
+        request.frames.count.value_or(static_cast<int>(request.longestS * request.frames.perSecond));
+    terminal::Progress progress("frames", request.frames.count ? static_cast<std::size_t>(limit) : 0);
+    for (int frame = 0; frame < limit && (request.frames.count || !session.isFinished()); ++frame)
+    {
+        if (const auto drawn = session.frame(); !drawn) return drawn;
+        progress.advance();
+    }
+    return session.finish();
+}
+
+/// The report refers to images beside it by the names that ./demo gives them.
+ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
+{
+    ReportContent content;
+    const simulation::FileHeader& header = session.player().scenario().header;
+    content.title = header.description.empty() ? request.scenario.stem().string() : header.description;
+    content.facts = {
+        request.scenario.empty()
+            ? std::pair<std::string, std::string>{"Tour over", request.terrain.file.filename().string()}
+            : std::pair<std::string, std::string>{"Scenario", request.scenario.filename().string()},
+        {"Simulated", std::to_string(session.statistics().size()) + " frames at " +
+                          std::to_string(request.frames.perSecond) + " per second"},
+        {"Picture", request.frames.viewFile.empty() ? std::to_string(request.frames.widthPx) + " x " +
+                                                          std::to_string(request.frames.heightPx)
+                                                    : request.frames.viewFile.filename().string()},
+        {"Error target", std::to_string(request.terrain.errorTolerancePx) + " px anywhere in the picture"},
+        {"Triangle ceiling", std::to_string(request.terrain.maxTriangles.value_or(kUsualMaxTriangles))}};
+    content.contactSheet = request.output.contactSheet;
+    content.video = request.output.video;
+    return content;
+}
+
+foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& request)
+{
+    if (!request.output.statsFile.empty())
+        if (const auto written = writeStatistics(session.statistics(), request.terrain.opening->stages(),
+                                                 request.output.statsFile);
+            !written)
+            return written;
+    if (session.parts())
+    {
+        std::cout << partsText(session.parts()->costs());
+        if (const auto written = writeParts(session.parts()->costs(), request.output.partsFile); !written)
+            return written;
+    }
+    if (!request.output.reportFile.empty())
+        return writeReport(reportOf(session, request), session.statistics(), request.output.reportFile);
+    return foundation::success();
+}
+
+} // namespace
+
+foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
+{
+    if (request.window.isWanted)
+    {
+        auto window = WindowSession::create(std::move(scenario), std::move(terrain), request, nullptr, {});
+        return window ? (*window)->run() : window.error();
+    }
+    auto session = PlaySession::create(std::move(scenario), std::move(terrain), request);
+    if (!session) return session.error();
+    tellWarnings((*session)->player());
+    for (const std::string& note : (*session)->notes())
+        std::cout << "note: " << note << '\n';
+    if (const auto played = playToTheEnd(**session, request); !played) return played;
+    for (const std::string& note : (*session)->player().notes())
+        std::cout << "note: " << note << '\n';
+    return leaveResults(**session, request);
+}
+
+foundation::Outcome play(const PlayRequest& request)
+{
+    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
+    if (!request.terrain.opening->stages().empty()) request.terrain.opening->restart();
+    auto parsed =
+        simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
+    if (!parsed) return parsed.error();
+    if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
+    auto terrain = openStage(parsed->scenario, request);
+    if (!terrain) return terrain.error();
+    const simulation::SceneFrame frame(terrain->origin(), terrain->ground());
+    if (const auto laid = tellRecordings(parsed->scenario, {request.scenario, &frame}); !laid) return laid;
+    return playOver(std::move(*terrain), std::move(parsed->scenario), request);
+}
+
+foundation::Outcome playScene(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
+{
+    if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
+    return playOver(std::move(terrain), std::move(scenario), request);
+}
+
+foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)
+{
+    auto terrain = openElevation(request.terrain.file, request.terrain);
+    if (!terrain) return terrain.error();
+    const auto laid = layTourFor(*terrain, request, durationS);
+    if (!laid) return laid.error();
+    if (const auto saved = saveScenario(laid->tour.scenario, saveFile); !saved) return saved;
+    std::cout << laid->summary;
+    return playOver(std::move(*terrain), laid->tour.scenario, request);
+}
+
+} // namespace trainer

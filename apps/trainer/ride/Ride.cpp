@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "Ride.h"
+
+#include <foundation/WholeFile.h>
+
+#include "actions/HeadlessCommand.h"
+#include "actions/PlayCommand.h"
+#include "scene/SceneTerrain.h"
+#include "simulation/control/HandOver.h"
+#include "simulation/control/VehicleMotion.h"
+#include "simulation/player/ScenarioPlayer.h"
+#include "window/WindowSession.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr int kRideStepsPerSecond = 120;
+
+foundation::Outcome rideHeadless(const RideRequest& request, const SceneTerrain& terrain, Ride ride)
+{
+    HeadlessRequest headless;
+    headless.stepS = 1.0 / kRideStepsPerSecond;
+    headless.durationS = request.durationS;
+    headless.logFile = request.play.output.motionFile;
+    headless.scenario = ride.name;
+    simulation::PlayerOptions options;
+    options.origin = terrain.origin();
+    options.ground = terrain.ground();
+    options.clock = simulation::FixedClock(kRideStepsPerSecond);
+    options.motions[ride.entity] = ride.motion;
+    auto player = simulation::ScenarioPlayer::create(std::move(ride.scenario), std::move(options));
+    if (!player) return player.error();
+    return playOut(**player, headless);
+}
+
+foundation::Outcome rideInPictures(const RideRequest& request, SceneTerrain terrain, Ride ride)
+{
+    PlayRequest play = request.play;
+    play.motions[ride.entity] = ride.motion;
+    play.longestS = request.durationS;
+    return playScene(std::move(terrain), std::move(ride.scenario), play);
+}
+
+} // namespace
+
+bool RideRequest::hasWindow() const
+{
+    if (isHeadless) return false;
+    if (play.window.isWanted) return true;
+    const OutputRequest& output = play.output;
+    return output.captureFolder.empty() && output.statsFile.empty() && output.reportFile.empty() &&
+           output.motionFile.empty() && play.sound.file.empty() && play.frames.viewFile.empty() &&
+           !play.frames.count && inputs.empty() && recordInputs.empty();
+}
+
+foundation::Result<std::shared_ptr<simulation::VehicleMotion>>
+playRides(const RideRequest& request, SceneTerrain terrain, RideMaker& maker)
+{
+    if (request.hasWindow())
+    {
+        auto session =
+            WindowSession::create({}, std::move(terrain), request.play, &maker, request.recordInputs);
+        if (!session) return session.error();
+        if (const auto shown = (*session)->run(); !shown) return shown.error();
+        return (*session)->motion();
+    }
+    auto ride = maker.make(0);
+    if (!ride) return ride.error();
+    const auto motion = ride->motion;
+    const auto played = request.isHeadless ? rideHeadless(request, terrain, std::move(*ride))
+                                           : rideInPictures(request, std::move(terrain), std::move(*ride));
+    if (!played) return played.error();
+    if (!request.recordInputs.empty())
+        if (const auto written = motion->vehicle().recorder()->write(request.recordInputs); !written)
+            return written.error();
+    return motion;
+}
+
+} // namespace trainer

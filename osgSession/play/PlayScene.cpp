@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "PlayScene.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "scene/DriveWay.h"
+#include "scene/PlaceOnGround.h"
+#include "scene/SceneRoads.h"
+#include "scenery/roads/RoadsInScene.h"
+#include "simulation/control/scenario/ScenarioMotions.h"
+#include "simulation/road/ScenarioRoads.h"
+#include "view/WatchedEntity.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+/// The limit of triangles where the command line names none: blocks with locked borders cannot do with fewer
+/// than their borders have.
+std::uint32_t usualMaxTriangles(osgTerrainROAM::core::Method method)
+{
+    return method == osgTerrainROAM::core::Method::vipmLocked ? std::numeric_limits<std::uint32_t>::max()
+                                                              : kUsualMaxTriangles;
+}
+
+foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const TerrainRequest& request)
+{
+    osgTerrainROAM::RoamDrawableSettings settings = terrain.settings();
+    settings.method = request.method.value_or(settings.method);
+    settings.errorTolerancePx = request.errorTolerancePx;
+    settings.maxTriangles = request.maxTriangles.value_or(usualMaxTriangles(settings.method));
+    settings.morphing = request.morphing;
+    settings.patchExponent = request.patchExponent.value_or(0);
+    return terrain.setSettings(settings);
+}
+
+/// The roads of a scenario where the scene shows them: those of a georeferenced world lie in its frame, not
+/// in that of their file.
+std::shared_ptr<const simulation::RoadScene> inScene(std::shared_ptr<const simulation::RoadScene> roads,
+                                                     const SceneTerrain& terrain)
+{
+    if (!roads || !terrain.roads || !terrain.origin()) return roads;
+    const auto &named = roads->network().roads, &shown = terrain.roads->network().roads;
+    const bool isSame =
+        std::equal(named.begin(), named.end(), shown.begin(), shown.end(),
+                   [](const auto& a, const auto& b) { return a.id == b.id && a.length == b.length; });
+    return isSame ? std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*terrain.roads))
+                  : roads;
+}
+
+/// Gives a field a share of its triangles.
+void setBudget(osgPMObjects::ProgressiveField& field, osgPMObjects::core::SceneBudgetSettings budget,
+               double share)
+{
+    if (budget.budget != std::numeric_limits<std::uint64_t>::max())
+        budget.budget = static_cast<std::uint64_t>(share * static_cast<double>(budget.budget));
+    (void)field.setBudget(budget); // valid, as the whole one is
+}
+
+} // namespace
+
+void setTolerance(SceneTerrain& terrain, double tolerancePx)
+{
+    if (terrain.terrain)
+    {
+        osgTerrainROAM::RoamDrawableSettings settings = terrain.terrain->settings();
+        settings.errorTolerancePx = tolerancePx;
+        (void)terrain.terrain->setSettings(settings); // a number of pixels above 0
+    }
+    if (terrain.roads) setRoadTolerance(*terrain.node, tolerancePx);
+}
+
+void setQuality(PlayScene& play, Quality quality)
+{
+    const QualityRules rules = rulesOf(quality);
+    play.scene->setQuality(rules);
+    if (play.cover) play.cover->setReaches(rules.coverReaches);
+    if (play.skyShade) play.skyShade->setShown(rules.hasSkyShade);
+    for (const StandingPart& part : play.terrain.standing)
+        if (part.field) setBudget(*part.field, part.fullBudget, rules.budgetShare);
+    if (play.scenery) setBudget(*play.scenery->node.field, play.scenery->fullBudget, rules.budgetShare);
+}
+
+double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye)
+{
+    return ownship.isAirborne() || eye == EyePoint::above ? 5.0 : 1.0;
+}
+
+foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::Scenario& scenario,
+                                                              const SceneTerrain& terrain,
+                                                              const PlayRequest& request,
+                                                              const simulation::FixedClock& clock)
+{
+    simulation::PlayerOptions stage;
+    stage.origin = terrain.origin();
+    stage.ground = terrain.ground();
+    stage.clock = clock;
+    stage.seed = request.seed;
+    stage.motionSource = std::make_shared<simulation::ScenarioMotions>(simulation::ScenarioMotions::World{
+        groundForWheels(terrain), stage.origin, request.scenario.parent_path(), request.seed});
+    if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
+    const bool isOnRoads = !stage.origin && !scenario.roadNetwork.logicFile.empty(); // they are the scene
+    if (isOnRoads || scenario.needsRoads())
+    {
+        // One that is not there is told by the player, with the place that needs it.
+        auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
+        if (!roads) return roads.error();
+        if (*roads && !stage.origin) stage.projection = simulation::projectionOf(**roads);
+        stage.roads = inScene(std::move(*roads), terrain);
+    }
+    stage.motions = request.motions;
+    return stage;
+}
+
+foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, SceneTerrain terrain,
+                                                const PlayRequest& request,
+                                                const simulation::FixedClock& clock)
+{
+    if (scenario.entities.empty())
+        return foundation::Error{request.scenario.string(), "no ScenarioObject in Entities",
+                                 "add the one whose eye shall look"};
+    const auto watch = request.terrain.opening->watched("makes the scene");
+    const auto watched = watchedEntity(scenario, request.frames.eyeEntity);
+    if (!watched) return watched.error();
+    if (terrain.terrain)
+        if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
+    if (terrain.roads) setRoadTolerance(*terrain.node, request.terrain.errorTolerancePx);
+    PlayScene play;
+    play.terrain = std::move(terrain);
+    play.watched = *watched;
+    const auto stage = playerOptionsOf(scenario, play.terrain, request, clock);
+    if (!stage) return stage.error();
+    auto player = simulation::ScenarioPlayer::create(std::move(scenario), *stage);
+    if (!player) return player.error();
+    play.player = std::move(*player);
+    if (!request.scenario.empty() && request.frames.eye != EyePoint::free)
+        if (const auto placed =
+                checkPlaceOnGround(*play.player, play.watched, play.terrain, request.scenario.string());
+            !placed)
+            return placed.error();
+    request.terrain.opening->end("scenario");
+    auto scenery = makeScenery(request.scenery, request.frames.durationS(), play.player->scenario(), *stage,
+                               play.terrain);
+    if (!scenery) return scenery.error();
+    play.scenery = *std::move(scenery);
+    request.terrain.opening->end("scenery");
+    auto scene = ScenarioScene::create(play.player->scenario(), play.terrain, request.scenario.parent_path());
+    if (!scene) return scene.error();
+    play.scene = std::make_unique<ScenarioScene>(std::move(*scene));
+    play.scene->bearLamps(play.watched);
+    play.scene->setShadows(request.frames.hasShadows);
+    request.terrain.opening->end("entities");
+    if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
+    play.cover = makeCover(play.terrain);
+    if (play.cover) play.scene->sunlit().addChild(play.cover->node());
+    play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->hiders : nullptr);
+    if (play.skyShade) play.scene->sunlit().addChild(play.skyShade->node());
+    trainer::setQuality(play, request.frames.quality);
+    request.terrain.opening->end("cover");
+    return play;
+}
+
+std::vector<std::string> PlayScene::notes() const
+{
+    std::vector<std::string> notes = terrain.notes;
+    const std::vector<std::string> ofEntities = scene->notes();
+    notes.insert(notes.end(), ofEntities.begin(), ofEntities.end());
+    if (scenery) notes.insert(notes.end(), scenery->notes.begin(), scenery->notes.end());
+    return notes;
+}
+
+} // namespace trainer

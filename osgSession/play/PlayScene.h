@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "PlayRequest.h"
+#include "scene/ScenarioScene.h"
+#include "scene/SceneCover.h"
+#include "scene/SceneScenery.h"
+#include "simulation/player/ScenarioPlayer.h"
+#include "view/Channel.h"
+
+namespace trainer
+{
+
+/// A scenario over its terrain, ready to be stepped and drawn, offscreen or in a window.
+struct PlayScene
+{
+    SceneTerrain terrain;
+    std::unique_ptr<simulation::ScenarioPlayer> player;
+    std::unique_ptr<ScenarioScene> scene;
+    std::optional<SceneScenery> scenery;
+    std::unique_ptr<scenery::GroundCoverNode> cover; ///< null: none
+    std::unique_ptr<scenery::SkyShadeNode> skyShade; ///< null: none
+    std::size_t watched = 0;                         ///< the entity that the eye is in or looks at
+
+    /// `terrain`: from openScene(). Errors: a scenario without entities or with other faults, an entity to
+    /// watch that there is not or that begins off the ground (checkPlaceOnGround()), terrain settings, models
+    /// and scenery that cannot be used.
+    static foundation::Result<PlayScene> create(simulation::Scenario scenario, SceneTerrain terrain,
+                                                const PlayRequest& request,
+                                                const simulation::FixedClock& clock);
+
+    /// Brings what stands around the eye only. Frame: world.
+    void follow(const glm::dvec3& eye) const
+    {
+        if (cover) cover->follow(eye);
+        if (skyShade) skyShade->follow(eye);
+    }
+
+    /// Returns one line for each difference from what was asked for.
+    std::vector<std::string> notes() const;
+
+    /// Says which eye it is seen from.
+    void setEye(EyePoint eye) { scene->ride(movesWithOwnship(eye) ? std::optional(watched) : std::nullopt); }
+
+    const simulation::ScenarioObject& ownship() const { return player->scenario().entities[watched]; }
+};
+
+/// Draws with this quality from the next picture on. Terrain and roads keep their tolerance.
+void setQuality(PlayScene& play, Quality quality);
+
+/// Lets terrain and roads err by so many pixels from the next picture on.
+void setTolerance(SceneTerrain& terrain, double tolerancePx);
+
+/// How a scenario is played over a terrain. Errors: a road network that cannot be read.
+foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::Scenario& scenario,
+                                                              const SceneTerrain& terrain,
+                                                              const PlayRequest& request,
+                                                              const simulation::FixedClock& clock);
+
+/// Returns the near plane of a view that sets none, as far away as possible, because the depth resolution at
+/// a distance is proportional to it. A driver sees the ground from 4 m on, a pilot or an eye above a car from
+/// much farther.
+double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye);
+
+/// The same for somebody who sits inside and sees the ground near the own wheels. Units: metres.
+inline constexpr double kNearFromInsideM = 1.0;
+
+} // namespace trainer

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ScenarioScene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <osg/Notify>
+
+#include "SceneWeather.h"
+#include "scenery/nodes/Sky.h"
+
+namespace trainer
+{
+
+ScenarioScene::ScenarioScene()
+    : _root(new osg::Group),
+      _atmosphere(new osgTerrainROAM::Atmosphere),
+      _sunlit(new osgTerrainROAM::SunShadows(_atmosphere)),
+      _roadWetness(new osg::Uniform("roadWetness", 0.0F)),
+      _beam(*_root->getOrCreateStateSet())
+{
+    _atmosphere->addUniformsTo(*_root->getOrCreateStateSet());
+    _root->getStateSet()->addUniform(_roadWetness);
+    _root->getStateSet()->setDataVariance(osg::Object::DYNAMIC);
+}
+
+foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenario& scenario,
+                                                        const SceneTerrain& terrain,
+                                                        const std::filesystem::path& folder)
+{
+    ScenarioScene scene;
+    if (terrain.terrain) terrain.terrain->setAtmosphere(scene._atmosphere);
+    scene._root->addChild(scenery::makeSky());
+    scene._root->addChild(scene._sunlit);
+    scene._root->addChild(&scene._drops.node());
+    scene._sunlit->addChild(terrain.node);
+    scene._roadThings = terrain.roadThings;
+    scene._airfield = terrain.airfield;
+    scene._ground = terrain.ground();
+    scenery::EntityShapes shapes;
+    for (const simulation::ScenarioObject& object : scenario.entities)
+    {
+        auto model = EntityModel::create(object, folder, shapes);
+        if (!model) return model.error();
+        scene._sunlit->addChild(model->node());
+        if (model->shadow()) scene._root->addChild(model->shadow());
+        scene._entities.push_back(std::move(*model));
+    }
+    return scene;
+}
+
+std::vector<std::string> ScenarioScene::notes() const
+{
+    std::vector<std::string> notes;
+    for (const EntityModel& entity : _entities)
+        for (const std::string& note : entity.notes())
+            if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    return notes;
+}
+
+void ScenarioScene::setQuality(const QualityRules& rules)
+{
+    osg::StateSet& state = *_root->getStateSet();
+    for (const Quality quality : {Quality::low, Quality::medium})
+        if (const char* const other = rulesOf(quality).define; other != rules.define)
+            state.removeDefine(other);
+    if (rules.define) state.setDefine(rules.define);
+    _sunlit->setSettings(rules.shadows);
+}
+
+/// Switches the traffic lights whose state has changed. A signal that is not drawn is told once.
+void ScenarioScene::showSignals(const std::map<std::string, std::string>& states)
+{
+    if (!_roadThings) return;
+    for (const auto& [signal, state] : states)
+    {
+        std::string& shown = _signals[signal];
+        if (shown == state) continue;
+        if (!_roadThings->setState(signal, state))
+            osg::notify(osg::NOTICE) << "signal " << signal << ": no traffic light shows '" << state << "'"
+                                     << std::endl;
+        shown = state;
+    }
+}
+
+bool ScenarioScene::isDark(const simulation::EnvironmentState& environment)
+{
+    constexpr double kDuskDeg = 2.0; // of the sun's elevation
+    return environment.sun.elevationDeg < kDuskDeg;
+}
+
+void ScenarioScene::show(const simulation::ScenarioPlayer& player,
+                         const std::vector<simulation::EntityState>& entities)
+{
+    const auto& sun = player.environment().sun;
+    const osg::Vec3d towards = osgTerrainROAM::sunDirectionFromAngles(sun.azimuthDeg, sun.elevationDeg);
+    const EntityModel::Light light{{towards.x(), towards.y(), towards.z()},
+                                   isDark(player.environment()),
+                                   player.timeS(),
+                                   _sunlit->isShown()};
+    for (std::size_t i = 0; i < _entities.size(); ++i)
+        _entities[i].show(entities[i], light, _ground);
+    showBeam(entities, light.isDark);
+    showSignals(player.signalStates());
+    showWeather(player.environment(), player.timeS(), entities);
+}
+
+void ScenarioScene::showBeam(const std::vector<simulation::EntityState>& entities, bool isDark)
+{
+    if (!_lampBearer) return;
+    const EntityModel& bearer = _entities[*_lampBearer];
+    constexpr auto kHead = static_cast<std::size_t>(scenery::models::EntityLamp::Kind::head);
+    _beam.show(scenery::poseOf(entities[*_lampBearer]), bearer.lamps(), isDark && bearer.litLamps()[kHead]);
+}
+
+void ScenarioScene::showWeather(const simulation::EnvironmentState& environment, double timeS,
+                                const std::vector<simulation::EntityState>& entities)
+{
+    if (const auto& wind = environment.wind; wind && _airfield)
+        _airfield->setWind(wind->speedMps *
+                           glm::dvec2(std::cos(wind->directionRad), std::sin(wind->directionRad)));
+    if (const auto set = _atmosphere->setSettings(airOf(environment)); !set)
+        osg::notify(osg::WARN) << set.error().message() << std::endl;
+    _roadWetness->set(roadWetnessOf(environment));
+    const glm::dvec3 eye = _ridden ? entities[*_ridden].velocity : glm::dvec3(0.0);
+    _drops.show(fallingOf(environment), timeS, windOf(environment), {eye.x, eye.y, eye.z});
+}
+
+} // namespace trainer

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include <osgTerrainROAM/core/RoamFile.h>
+#include <osgTerrainROAM/core/roam/RoamTile.h>
+
+#include "play/PlayRequest.h"
+
+namespace trainer
+{
+
+/// A runway that a world has. Frame: the scene's.
+struct SceneRunway
+{
+    StripRequest strip;      ///< in the direction in which the map has it
+    std::string designators; ///< "03/21": the first in that direction; empty: unknown
+    bool isPaved = true;
+};
+
+/// Returns the runways among the features that a .roam file names, in their order. Errors: as
+/// importFeatures().
+foundation::Result<std::vector<SceneRunway>> sceneRunways(const osgTerrainROAM::core::RoamFile& description,
+                                                          const osgTerrainROAM::core::RoamTile& tile);
+
+/// Returns the strip to take off from and land on: the longest paved runway, or the longest where none is
+/// paved, in the direction against the wind. Nothing: there is none. `windFromDeg`: from north, clockwise;
+/// absent: calm.
+std::optional<StripRequest> runwayInUse(const std::vector<SceneRunway>& runways,
+                                        const std::optional<double>& windFromDeg);
+
+} // namespace trainer
