@@ -73,19 +73,26 @@ function(osgtrainer_headers name)
     install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# osgtrainer_part(NAME [WITHOUT_GRAPHICS] [INCLUDE dir] SOURCES … LINK … PRIVATE …): a static library of this tree alone,
-# included by the path from INCLUDE (default: the root of the tree).
+# osgtrainer_part(NAME [WITHOUT_GRAPHICS] [INSTALL] [INCLUDE dir] SOURCES … LINK … PRIVATE …): a static library of this tree alone,
+# included by the path from INCLUDE (default: the root of the tree). INSTALL: a library that is installed stands on it, so its
+# archive is installed, too, as osgTrainer_NAME, without headers.
 function(osgtrainer_part name)
-    cmake_parse_arguments(arg "WITHOUT_GRAPHICS" "INCLUDE" "SOURCES;LINK;PRIVATE" ${ARGN})
+    cmake_parse_arguments(arg "WITHOUT_GRAPHICS;INSTALL" "INCLUDE" "SOURCES;LINK;PRIVATE" ${ARGN})
     if(NOT arg_INCLUDE)
         set(arg_INCLUDE ${PROJECT_SOURCE_DIR})
     endif()
     add_library(${name} STATIC ${arg_SOURCES})
-    target_include_directories(${name} PUBLIC ${arg_INCLUDE})
+    target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${arg_INCLUDE}>)
     target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE})
     osgtrainer_common(${name})
     if(arg_WITHOUT_GRAPHICS)
         osgtrainer_without_graphics(${name})
+    endif()
+    if(arg_INSTALL)
+        set_target_properties(${name} PROPERTIES OUTPUT_NAME osgTrainer_${name})
+        set_property(GLOBAL APPEND PROPERTY OSGTRAINER_INSTALLED_PARTS ${name})
+        add_dependencies(${OSGTRAINER_LIBRARIES_TARGET} ${name})
+        install(TARGETS ${name} EXPORT osgTrainerTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     endif()
 endfunction()
 

@@ -7,12 +7,14 @@
 
 #include <unistd.h>
 
+#include <osgOffscreen/FrameGrabber>
 #include <osgOffscreen/OffscreenContext>
 
 #include "MeasurePatches.h"
 #include "measurement/ProcessorTime.h"
 #include "view/CameraTimings.h"
 #include "view/ViewFile.h"
+#include "view/WatchedEntity.h"
 
 namespace trainer
 {
@@ -59,7 +61,15 @@ PlaySession::PlaySession(const PlayRequest& request, PlayScene play)
 foundation::Result<std::unique_ptr<PlaySession>>
 PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request)
 {
-    const auto clock = simulation::FixedClock::forFrameRate(request.frames.perSecond);
+    return create(std::move(scenario), std::move(terrain), request,
+                  simulation::FixedClock::forFrameRate(request.frames.perSecond));
+}
+
+foundation::Result<std::unique_ptr<PlaySession>> PlaySession::create(simulation::Scenario scenario,
+                                                                     SceneTerrain terrain,
+                                                                     const PlayRequest& request,
+                                                                     const simulation::FixedClock& clock)
+{
     auto play = PlayScene::create(std::move(scenario), std::move(terrain), request, clock);
     if (!play) return play.error();
     const auto setup = viewOf(request.frames, play->ownship());
@@ -84,13 +94,35 @@ void PlaySession::beginLog()
     }
 }
 
-foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
+/// Puts the eye where the request has it.
+void PlaySession::takeSeat()
 {
     _eye = std::make_unique<OwnshipEye>(_play.ownship(), trainOf(_play.player->scenario(), _play.watched),
                                         _play.scene->eyeIn(_play.watched), _request.frames,
                                         _play.terrain.ground());
     _play.setEye(_request.frames.eye);
     if (_request.frames.isInside()) _play.scene->hide(_play.watched);
+}
+
+foundation::Outcome PlaySession::setEye(EyePoint eye, const std::string& entity, const FreeEye& free)
+{
+    const auto watched = watchedEntity(_play.player->scenario(), entity);
+    if (!watched) return watched.error();
+    if (_request.frames.isInside()) _play.scene->hide(_play.watched, false);
+    _play.watched = *watched;
+    _play.scene->bearLamps(_play.watched);
+    _request.frames.eye = eye;
+    _request.frames.freeEye = free;
+    takeSeat();
+    ViewSetup setup = _rig->setup();
+    setup.nearM = nearPlaneM(_play.ownship(), eye);
+    _rig->reshape(std::move(setup));
+    return foundation::success();
+}
+
+foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
+{
+    takeSeat();
     const std::vector<PictureShape> pictures = picturesOf(setup);
     for (const PictureShape& picture : pictures)
     {
@@ -170,13 +202,12 @@ void PlaySession::look(double dtS)
     _interior->update(_play, *_play.player, entities, motionOfOwnship(), eye, *_rig, MirrorPace::all);
 }
 
-foundation::Outcome PlaySession::frame()
+void PlaySession::draw(double dtS)
 {
-    const double frameS = 1.0 / _request.frames.perSecond;
     _play.scene->show(*_play.player);
     const auto begin = std::chrono::steady_clock::now();
     const double usedMs = measurement::processorMs();
-    look(_statistics.empty() ? 0.0 : frameS);
+    look(_statistics.empty() ? 0.0 : dtS);
     if (_parts)
         _parts->draw(_play.player->timeS());
     else
@@ -186,6 +217,25 @@ foundation::Outcome PlaySession::frame()
     _statistics.back().processorMs = measurement::processorMs() - usedMs;
     if (_statistics.size() == 1) _request.terrain.opening->end("first picture");
     _statistics.back().wallMs = std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+osg::ref_ptr<osg::Image> PlaySession::picture(double dtS)
+{
+    osg::ref_ptr<osg::Image> picture;
+    osg::GraphicsContext& context = *_contexts.front();
+    const osg::ref_ptr<osgOffscreen::FrameGrabber> grabber = new osgOffscreen::FrameGrabber(
+        [&picture](const osgOffscreen::GrabbedFrame& frame) { picture = frame.picture; }, 0);
+    const osg::ref_ptr<osg::GraphicsContext::SwapCallback> before = context.getSwapCallback();
+    context.setSwapCallback(grabber);
+    draw(dtS);
+    context.setSwapCallback(before);
+    grabber->drain(&context);
+    return picture;
+}
+
+foundation::Outcome PlaySession::frame()
+{
+    draw(1.0 / _request.frames.perSecond);
     for (auto i = _play.player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
     {
         _play.player->step();

@@ -30,13 +30,30 @@ public:
     static foundation::Result<std::unique_ptr<PlaySession>>
     create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request);
 
+    /// The same with another clock than that of the frames.
+    static foundation::Result<std::unique_ptr<PlaySession>> create(simulation::Scenario scenario,
+                                                                   SceneTerrain terrain,
+                                                                   const PlayRequest& request,
+                                                                   const simulation::FixedClock& clock);
+
     /// Draws the current state, then advances the scenario by the time of one frame. Errors: an image that
     /// cannot be written.
     foundation::Outcome frame();
 
+    /// Draws the current state. `dtS`: since the last picture.
+    void draw(double dtS);
+
+    /// Draws and returns the picture of the first channel; RGB, bottom row first.
+    osg::ref_ptr<osg::Image> picture(double dtS);
+
+    /// Looks from somewhere else from the next picture on. `entity`: as FrameRequest::eyeEntity.
+    /// Errors: there is no such entity.
+    foundation::Outcome setEye(EyePoint eye, const std::string& entity, const FreeEye& free);
+
     bool isFinished() const { return _play.player->isFinished() || _play.player->areMotionsDone(); }
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
     const simulation::ScenarioPlayer& player() const { return *_play.player; }
+    simulation::ScenarioPlayer& player() { return *_play.player; }
     const PictureParts* parts() const { return _parts.get(); } ///< null: not measured
 
     /// Returns the differences from the scenario and the measurements made before it began, one line each.
@@ -49,6 +66,7 @@ private:
     PlaySession(const PlayRequest& request, PlayScene play);
     void beginLog();
     foundation::Outcome openPictures(const ViewSetup& setup);
+    void takeSeat();
     foundation::Outcome beginCaptures(const ViewSetup& setup);
     void tunePatches();
     FrameStatistics measured();

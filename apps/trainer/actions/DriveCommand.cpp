@@ -6,9 +6,8 @@
 #include <cstdio>
 #include <optional>
 
-#include <foundation/Angle.h>
-
 #include "PlayPlaces.h"
+#include "osgSession/src/core/RideScenario.h"
 #include "ride/Ride.h"
 #include "scene/DriveWay.h"
 #include "scene/SceneTerrain.h"
@@ -17,7 +16,6 @@
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/driver/RoadHands.h"
 #include "simulation/control/scenario/VehicleFiles.h"
-#include "simulation/tour/RideEnvironment.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
 
@@ -26,51 +24,6 @@ namespace trainer
 
 namespace
 {
-
-constexpr const char* kCar = "Ego";
-
-simulation::Axle scenarioAxle(const simulation::RoadVehicleData& data, std::size_t index)
-{
-    const simulation::AxleData& axle = data.axles[index];
-    return {index == 0 ? foundation::radiansOf(data.steering.lockDeg) : 0.0, 2.0 * axle.tyre.radiusM,
-            axle.trackM, axle.xM, axle.tyre.radiusM};
-}
-
-/// One vehicle that stands at the begin of its way.
-simulation::Scenario driveScenario(const simulation::RoadVehicleData& data,
-                                   const simulation::DriverPath& path,
-                                   const std::optional<simulation::Geodetic>& origin, double startM,
-                                   const simulation::RideConditions& conditions)
-{
-    simulation::Scenario scenario;
-    scenario.header = {1, 3, "2024-01-01T00:00:00", "osgTrainer", "A drive"};
-    simulation::Vehicle vehicle;
-    vehicle.name = data.name;
-    vehicle.category = simulation::massProperties(data).massKg > 8000.0 ? "bus" : "car";
-    const simulation::HullBox& box = data.hull.boxes.front();
-    double topM = 0.0;
-    for (const simulation::HullBox& part : data.hull.boxes)
-        topM = std::max(topM, part.place.z + 0.5 * part.sizeM.z);
-    vehicle.box = {{box.place.x, 0.0, 0.5 * topM}, box.sizeM.x, box.sizeM.y, topM};
-    vehicle.frontAxle = scenarioAxle(data, 0);
-    vehicle.rearAxle = scenarioAxle(data, 1);
-    scenario.entities.push_back({{}, kCar, vehicle});
-    const glm::dvec3 start = path.placeAt(startM);
-    simulation::TeleportAction teleport;
-    teleport.position = simulation::WorldPosition{
-        {},
-        start.x,
-        start.y,
-        start.z,
-        simulation::Orientation{path.headingRadAt(startM), std::nullopt, std::nullopt}};
-    scenario.storyboard.init.privates.push_back({{}, kCar, {teleport}});
-    simulation::TourTerrain terrain;
-    terrain.origin = origin;
-    terrain.eastM = terrain.northM = 20'000.0;
-    scenario.storyboard.init.globals.push_back(simulation::EnvironmentAction{
-        {}, simulation::rideEnvironment(terrain, path.headingRadAt(startM), conditions)});
-    return scenario;
-}
 
 foundation::Result<std::unique_ptr<simulation::VehicleController>>
 driverOf(const DriveRequest& request, const simulation::RoadVehicle& vehicle, simulation::DriverPath path)
@@ -146,8 +99,11 @@ public:
         auto motion = std::make_shared<simulation::VehicleMotion>(
             std::move(driven), _ground, std::make_shared<const simulation::WeatherAir>());
         motion->followWeather(_origin ? _origin->heightM : 0.0, 0.0);
-        return Ride{driveScenario(*_data, _path, _origin, _startsM[place], _request.conditions), kCar,
-                    std::move(motion), "drive", hands};
+        const double startM = _startsM[place];
+        return Ride{osgSession::core::driveScenario(*_data,
+                                                    {_path.placeAt(startM), _path.headingRadAt(startM)},
+                                                    _origin, _request.conditions),
+                    osgSession::core::kRideEntity, std::move(motion), "drive", hands};
     }
 
 private:

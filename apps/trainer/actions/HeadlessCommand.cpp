@@ -6,42 +6,13 @@
 #include <optional>
 
 #include "ScenarioProblems.h"
-#include "osgSession/src/core/ScenarioPlace.h"
-#include "simulation/control/scenario/ScenarioMotions.h"
+#include "osgSession/src/core/SteppedScenario.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/record/MotionLog.h"
-#include "simulation/road/ScenarioRoads.h"
-#include "simulation/vehicle/RoadSceneGround.h"
 
 namespace trainer
 {
-namespace
-{
-
-foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simulation::Scenario scenario,
-                                                                           const HeadlessRequest& request)
-{
-    simulation::PlayerOptions options;
-    if (const auto missing = simulation::missingRoads(scenario, request.scenario.parent_path()))
-        std::fprintf(stderr, "warning: %s\n", missing->message().c_str());
-    auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
-    if (!roads) return roads.error();
-    options.roads = std::move(*roads);
-    if (options.roads) options.projection = simulation::projectionOf(*options.roads);
-    if (!options.roads) options.origin = placeOnEarth(scenario);
-    options.clock = simulation::FixedClock::forStep(request.stepS);
-    options.scenarioName = request.scenario.string();
-    options.seed = request.seed;
-    std::shared_ptr<const simulation::Ground> ground = std::make_shared<simulation::LevelGround>();
-    if (options.roads) ground = std::make_shared<simulation::RoadSceneGround>(options.roads);
-    options.motionSource = std::make_shared<simulation::ScenarioMotions>(simulation::ScenarioMotions::World{
-        std::move(ground), options.origin, request.scenario.parent_path(), request.seed});
-    return simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
-}
-
-} // namespace
-
 foundation::Outcome playHeadless(const HeadlessRequest& request)
 {
     if (const auto writable = foundation::checkWritable(request.logFile); !writable) return writable;
@@ -50,7 +21,12 @@ foundation::Outcome playHeadless(const HeadlessRequest& request)
     if (!parsed) return parsed.error();
     if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
     if (const auto laid = tellRecordings(parsed->scenario, {request.scenario}); !laid) return laid;
-    auto player = openPlayer(std::move(parsed->scenario), request);
+    const auto ground = osgSession::core::openScenarioGround(parsed->scenario, request.scenario);
+    if (!ground) return ground.error();
+    for (const std::string& note : ground->notes)
+        std::fprintf(stderr, "warning: %s\n", note.c_str());
+    auto player = osgSession::core::makePlayer(std::move(parsed->scenario), request.scenario, *ground,
+                                               simulation::FixedClock::forStep(request.stepS), request.seed);
     if (!player) return player.error();
     return playOut(**player, request);
 }

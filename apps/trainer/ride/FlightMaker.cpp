@@ -7,11 +7,11 @@
 #include <foundation/Angle.h>
 
 #include "FlightAircraft.h"
+#include "osgSession/src/core/RideScenario.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/flight/Autopilot.h"
 #include "simulation/control/flight/FlightHands.h"
 #include "simulation/control/scenario/VehicleFiles.h"
-#include "simulation/tour/RideEnvironment.h"
 #include "simulation/vehicle/WeatherAir.h"
 
 namespace trainer
@@ -19,8 +19,6 @@ namespace trainer
 
 namespace
 {
-
-constexpr const char* kEntity = "Ego";
 
 simulation::WeatherAir airOf(const FlyRequest& request)
 {
@@ -30,33 +28,6 @@ simulation::WeatherAir airOf(const FlyRequest& request)
     if (!request.wind.empty() && request.gustsMps > 0.0)
         weather.windAtSixMetresMps = glm::length(weather.windMps);
     return simulation::WeatherAir(weather);
-}
-
-/// What stands where the flight begins, for the scenario that the pictures show.
-simulation::Scenario scenarioOf(const glm::dvec3& start, const FlightStart& from,
-                                const std::optional<simulation::Geodetic>& origin,
-                                const simulation::RideConditions& conditions)
-{
-    simulation::Scenario scenario;
-    scenario.header = {1, 3, "2024-01-01T00:00:00", "osgTrainer", "A flight"};
-    simulation::Vehicle vehicle;
-    vehicle.name = "aircraft";
-    vehicle.category = "aircraft";
-    vehicle.box = {{-0.8, 0.0, 1.4}, 8.2, 11.0, 2.8};
-    scenario.entities.push_back({{}, kEntity, vehicle});
-    const double heading = foundation::radiansOf(90.0 - from.headingDeg);
-    simulation::TourTerrain terrain;
-    terrain.origin = origin;
-    terrain.eastM = terrain.northM = 20'000.0;
-    scenario.storyboard.init.globals.push_back(
-        simulation::EnvironmentAction{{}, simulation::rideEnvironment(terrain, heading, conditions)});
-    simulation::TeleportAction teleport;
-    teleport.position = simulation::WorldPosition{
-        {}, start.x, start.y, start.z, simulation::Orientation{heading, std::nullopt, std::nullopt}};
-    simulation::SpeedAction speed;
-    speed.target = simulation::AbsoluteTargetSpeed{from.speedMps};
-    scenario.storyboard.init.privates.push_back({{}, kEntity, {teleport, speed}});
-    return scenario;
 }
 
 std::vector<simulation::FlightOrder> standardOrders(const FlyRequest& request)
@@ -143,8 +114,10 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     if (!_request.recordInputs.empty()) vehicle->record();
     auto motion = std::make_shared<simulation::VehicleMotion>(
         std::move(vehicle), _ground, std::make_shared<const simulation::WeatherAir>(airOf(_request)));
-    return Ride{scenarioOf(start, from, _origin, _request.conditions), kEntity, std::move(motion), "flight",
-                hands};
+    const osgSession::core::RideBegin begin{start, foundation::radiansOf(90.0 - from.headingDeg),
+                                            from.speedMps};
+    return Ride{osgSession::core::flightScenario(begin, _origin, _request.conditions),
+                osgSession::core::kRideEntity, std::move(motion), "flight", hands};
 }
 
 } // namespace trainer
