@@ -37,6 +37,7 @@ struct PlayScene
     /// Brings what stands around the eye only. Frame: world.
     void follow(const glm::dvec3& eye) const
     {
+        scene->follow(eye);
         if (cover) cover->follow(eye);
         if (skyShade) skyShade->follow(eye);
     }

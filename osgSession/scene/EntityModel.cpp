@@ -96,13 +96,18 @@ scenery::models::LitLamps switched(scenery::models::LitLamps lit, const simulati
 void EntityModel::show(const simulation::EntityState& state, const Light& light,
                        const simulation::GroundProvider& ground)
 {
-    node()->setNodeMask(state.isVisible && !_isHidden ? osgTerrainROAM::SunShadows::kMoves : 0U);
+    // Beyond the maps that show what moves, a patch on the ground is the shadow, at any quality.
+    const bool isNear = !light.eye || glm::distance(state.position, *light.eye) < light.mapsReachM;
+    const bool castsByMaps = light.mapsReachM > 0.0 && (isNear || !_generated);
+    node()->setNodeMask(!state.isVisible || _isHidden ? 0U
+                        : castsByMaps                 ? osgTerrainROAM::SunShadows::kMoves
+                                                      : osgTerrainROAM::SunShadows::kCastsNone);
     if (!_generated) return _placed->setMatrix(matrixOf(scenery::poseOf(state)));
     simulation::EntityState shown = state;
     if (_flies && !shown.aircraft) shown.aircraft = scenery::usualAircraftParts(state, light.isDark);
     _lit = switched(scenery::usualLamps(shown, light.isDark, light.timeS), state);
     _generated->setState(shown, _lit);
-    if (state.isVisible && (_isHidden || !light.castsByMaps))
+    if (state.isVisible && (_isHidden || !castsByMaps))
         _generated->castShadow(light.sun, ground);
     else
         _generated->shadow()->setNodeMask(0);

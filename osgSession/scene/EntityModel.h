@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,8 @@ public:
         glm::dvec3 sun{0.0, 0.0, 1.0}; ///< towards it, unit vector
         bool isDark = false;           ///< head lamps are on
         double timeS = 0.0;            ///< by which lamps flash
-        bool castsByMaps = false;      ///< what is drawn casts its shadow by itself
+        double mapsReachM = 0.0;       ///< shadow maps show what moves as far from the eye; 0: there are none
+        std::optional<glm::dvec3> eye{}; ///< of the last picture; absent: none was drawn
     };
 
     /// `ground`: onto which it casts its shadow; may be empty.

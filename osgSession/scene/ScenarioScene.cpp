@@ -66,6 +66,9 @@ void ScenarioScene::setQuality(const QualityRules& rules)
             state.removeDefine(other);
     if (rules.define) state.setDefine(rules.define);
     _sunlit->setSettings(rules.shadows);
+    constexpr double kWhole = 0.8; // of the reach: a vehicle's shadow is in the maps as a whole
+    const auto maps = static_cast<std::size_t>(rules.shadows.movingMaps);
+    _mapsReachM = maps > 0 ? kWhole * rules.shadows.reachesM[maps - 1] : 0.0;
 }
 
 /// Switches the traffic lights whose state has changed. A signal that is not drawn is told once.
@@ -97,7 +100,8 @@ void ScenarioScene::show(const simulation::ScenarioPlayer& player,
     const EntityModel::Light light{{towards.x(), towards.y(), towards.z()},
                                    isDark(player.environment()),
                                    player.timeS(),
-                                   _sunlit->isShown()};
+                                   _sunlit->isShown() ? _mapsReachM : 0.0,
+                                   _eye};
     for (std::size_t i = 0; i < _entities.size(); ++i)
         _entities[i].show(entities[i], light, _ground);
     showBeam(entities, light.isDark);

@@ -55,6 +55,9 @@ public:
     /// The eye moves with this entity, or stands: drops are streaks by their speed relative to it.
     void ride(const std::optional<std::size_t>& entity) { _ridden = entity; }
 
+    /// The eye of the last picture: far from it entities cast patches on the ground, not into shadow maps.
+    void follow(const glm::dvec3& eye) { _eye = eye; }
+
     /// The head lamps of this entity light what is before it, in the dark.
     void bearLamps(std::size_t entity) { _lampBearer = entity; }
 
@@ -99,6 +102,8 @@ private:
     osg::ref_ptr<osg::Uniform> _roadWetness;
     scenery::FallingDrops _drops;
     std::optional<std::size_t> _ridden, _lampBearer;
+    std::optional<glm::dvec3> _eye;
+    double _mapsReachM = 0.0; ///< of the shadow maps that show what moves
     scenery::HeadLampBeam _beam;
     std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads
     std::shared_ptr<scenery::AirfieldNode> _airfield;     ///< null without any
