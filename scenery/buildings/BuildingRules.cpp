@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string_view>
+
+#include <foundation/TagQuantity.h>
 
 #include "scenery/buildings/Outline.h"
 #include "scenery/buildings/TagColour.h"
@@ -33,14 +34,28 @@ std::string_view valueOf(const BuildingTags& tags, std::string_view key)
     return found == tags.end() ? std::string_view() : std::string_view(found->second);
 }
 
-/// A number of metres, storeys or the like at the beginning of a value: "12", "7.5 m".
+std::optional<double> within(std::optional<double> number, double least, double most)
+{
+    return number && *number >= least && *number <= most ? number : std::nullopt;
+}
+
+/// A number of storeys.
 std::optional<double> numberOf(const BuildingTags& tags, std::string_view key, double least, double most)
 {
-    const std::string_view text = valueOf(tags, key);
-    double number = 0.0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (failure != std::errc() || !(number >= least && number <= most)) return std::nullopt;
-    return number;
+    return within(foundation::numberOfTag(valueOf(tags, key)), least, most);
+}
+
+std::optional<double> metresOf(const BuildingTags& tags, std::string_view key, double least, double most)
+{
+    return within(foundation::metresOfTag(valueOf(tags, key)), least, most);
+}
+
+/// The height with its roof, by the first key that tells it.
+std::optional<double> heightOf(const BuildingTags& tags)
+{
+    for (const std::string_view key : {"height", "building:height", "est_height"})
+        if (const auto heightM = metresOf(tags, key, 1.0, 900.0)) return heightM;
+    return std::nullopt;
 }
 
 template<std::size_t N>
@@ -136,7 +151,7 @@ void setRoof(Building& building, std::string_view kind, double areaM2, const Bui
         building.roof == RoofForm::skillion ? 0.5 * halfM : std::clamp(pitch * halfM, 0.3, 6.0);
     const double levels = numberOf(tags, "roof:levels", 0.5, 4.0).value_or(0.0) * kStoreyM;
     const double byRules = building.roof == RoofForm::flat ? 0.0 : (levels > 0.0 ? levels : byPitch);
-    building.roofM = numberOf(tags, "roof:height", 0.0, 60.0).value_or(byRules);
+    building.roofM = metresOf(tags, "roof:height", 0.0, 60.0).value_or(byRules);
     building.roofTint = dice.oneOf(models::kTileTints);
     if (building.roof == RoofForm::flat || building.roof == RoofForm::round)
     {
@@ -164,7 +179,7 @@ void setHeights(Building& building, std::string_view kind, double areaM2, const 
     building.storeys = static_cast<int>(numberOf(tags, "building:levels", 1.0, 100.0).value_or(byRule));
     const double storeyM = isOneOf(kind, kHalls) ? kHallStoreyM : (isOneOf(kind, kLow) ? 2.6 : kStoreyM);
     building.eavesM = building.storeys * storeyM + dice.between(0.2, 0.7);
-    if (isOneOf(kind, kSacred) && !valueOf(tags, "building:levels").size()) building.eavesM = 7.0;
+    if (isOneOf(kind, kSacred) && !numberOf(tags, "building:levels", 1.0, 100.0)) building.eavesM = 7.0;
 }
 
 } // namespace
@@ -182,11 +197,11 @@ std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, c
     setHeights(building, kind, areaM2, tags, dice);
     setWalls(building, kind, tags, dice);
     setRoof(building, kind, areaM2, tags, dice);
-    if (const auto heightM = numberOf(tags, "height", 1.0, 900.0))
+    if (const auto heightM = heightOf(tags))
     {
         building.roofM = std::min(building.roofM, 0.6 * *heightM);
         building.eavesM = *heightM - building.roofM;
-        const bool hasLevels = !valueOf(tags, "building:levels").empty();
+        const bool hasLevels = numberOf(tags, "building:levels", 1.0, 100.0).has_value();
         if (!hasLevels) building.storeys = std::max(1, static_cast<int>(building.eavesM / kStoreyM));
     }
     building.openings = openingsOf(kind, tags);
@@ -221,7 +236,7 @@ std::optional<Building> towerOf(const glm::dvec2& place, const BuildingTags& tag
     }
     Building building;
     building.rings = {std::move(ring)};
-    const double heightM = numberOf(tags, "height", 1.0, 900.0).value_or(tower->heightM);
+    const double heightM = heightOf(tags).value_or(tower->heightM);
     building.roof = kind == "silo" || kind == "tower" ? RoofForm::pyramidal : RoofForm::flat;
     building.roofM = building.roof == RoofForm::flat ? 0.0 : std::min(tower->halfM, 0.5 * heightM);
     building.eavesM = heightM - building.roofM;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string_view>
+
+#include <foundation/TagQuantity.h>
 
 #include "scenery/structures/Structure.h"
 
@@ -26,10 +27,8 @@ bool isTagged(const StructureTags& tags, std::string_view key)
 
 double metresOf(const StructureTags& tags, std::string_view key, double least, double most, double otherwise)
 {
-    const auto text = tagOf(tags, key);
-    double number = 0.0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return failure == std::errc() && number >= least && number <= most ? number : otherwise;
+    const auto number = foundation::metresOfTag(tagOf(tags, key));
+    return number && *number >= least && *number <= most ? *number : otherwise;
 }
 
 bool isUndergroundLine(const StructureTags& tags)
@@ -58,7 +57,7 @@ bool setPower(Structure& structure, const StructureTags& tags)
     const auto power = tagOf(tags, "power");
     if (power != "line" && power != "minor_line") return false;
     structure.kind = power == "line" ? StructureKind::powerLine : StructureKind::poleLine;
-    const bool isHigh = metresOf(tags, "voltage", 1.0, 2e6, 0.0) >= kHighVoltage;
+    const bool isHigh = foundation::numberOfTag(tagOf(tags, "voltage")).value_or(0.0) >= kHighVoltage;
     const double usualM = power == "minor_line" ? 9.5 : isHigh ? 48.0 : 28.0;
     structure.heightM = metresOf(tags, "height", 5.0, 150.0, usualM);
     return true;

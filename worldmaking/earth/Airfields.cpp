@@ -2,10 +2,10 @@
 #include "worldmaking/earth/Airfields.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
+#include <foundation/TagQuantity.h>
 #include <glm/glm.hpp>
 
 #include <osgTerrainROAM/core/edit/NearestPlane.h>
@@ -34,10 +34,8 @@ constexpr double kApronSlope = 0.01; ///< 3.13.4
 
 double metresOf(const Tags& tags, std::string_view key, double otherwise)
 {
-    const std::string_view text = valueOf(tags, key);
-    double number = 0.0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return failure == std::errc() && number >= 3.0 && number <= 200.0 ? number : otherwise;
+    const auto number = foundation::metresOfTag(valueOf(tags, key));
+    return number && *number >= 3.0 && *number <= 200.0 ? *number : otherwise;
 }
 
 /// A line of a map as a runway; nothing where it has no length.

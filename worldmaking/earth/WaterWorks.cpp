@@ -2,12 +2,12 @@
 #include "worldmaking/earth/WaterWorks.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include <foundation/TagQuantity.h>
 #include <glm/glm.hpp>
 
 #include "scenery/buildings/Outline.h"
@@ -36,13 +36,6 @@ constexpr double kShoreShare = 0.05; ///< of the shore's ground is lower than a 
 constexpr double kLakeTouchM = 1.0;  ///< between areas of one lake, at most
 constexpr double kBedM = 2.0;        ///< a bed is wider than what is painted
 constexpr std::size_t kPiece = 6;    ///< points of a river of one width
-
-double numberOf(std::string_view text)
-{
-    double number = 0.0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return failure == std::errc() ? number : 0.0;
-}
 
 /// A river's line, by nodes of the net.
 struct River
@@ -262,7 +255,7 @@ std::optional<double> riverWidthM(const LandShape& shape)
     if (shape.form != ShapeForm::line || (way != "river" && way != "canal")) return std::nullopt;
     if ((!tunnel.empty() && tunnel != "no") || valueOf(shape.tags, "location") == "underground")
         return std::nullopt;
-    const double told = numberOf(valueOf(shape.tags, "width"));
+    const double told = foundation::metresOfTag(valueOf(shape.tags, "width")).value_or(0.0);
     return told >= 1.0 && told <= 500.0 ? told : way == "river" ? kRiverM : kCanalM;
 }
 

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <string_view>
+
+#include <foundation/TagQuantity.h>
 
 namespace osgTerrainROAM::core
 {
@@ -208,7 +209,7 @@ Pavement pavementOf(const std::string& surface, Pavement custom)
 
 void applyDetails(FeatureStyle& style, const TagLookup& tag)
 {
-    if (const auto lanes = metresIn(tag("lanes")); lanes && *lanes >= 1.0 && *lanes <= 12.0)
+    if (const auto lanes = foundation::numberOfTag(tag("lanes")); lanes && *lanes >= 1.0 && *lanes <= 12.0)
     {
         const int count = static_cast<int>(*lanes);
         if (style.kind == FeatureKind::road && count != style.lanes)
@@ -233,18 +234,8 @@ void applyDetails(FeatureStyle& style, const TagLookup& tag)
 
 std::optional<double> metresIn(const std::string& text)
 {
-    double number = 0.0;
-    const auto [next, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (failure != std::errc()) return std::nullopt;
-    std::string_view unit(next, static_cast<std::size_t>(text.data() + text.size() - next));
-    while (!unit.empty() && unit.front() == ' ')
-        unit.remove_prefix(1);
-    if (unit == "ft" || unit == "'")
-        number *= 0.3048;
-    else if (!unit.empty() && unit != "m")
-        return std::nullopt;
-    if (!(number >= 0.1 && number <= 5000.0)) return std::nullopt;
-    return number;
+    const auto number = foundation::metresOfTag(text);
+    return number && *number >= 0.1 && *number <= 5000.0 ? number : std::nullopt;
 }
 
 std::string hstoreValue(const std::string& text, const std::string& key)

@@ -17,13 +17,14 @@ using TagLookup = std::function<std::string(const char* name)>;
 /// - `kind` = road | river | field | runway (also taxiway, track, stream, meadow, orchard, …);
 /// - OpenStreetMap: highway, waterway, natural = water, landuse, aeroway, with lanes, surface, crop, ref;
 /// - layer names that contain road, street, highway, river, water, stream, field, crop, farm, runway.
-/// `width` ("7", "7.5 m", "24 ft") and `lanes` override the kind's defaults. Nothing: of no known kind.
+/// `width` (as foundation::metresOfTag() reads it) and `lanes` override the kind's defaults. Nothing: of no
+/// known kind.
 std::optional<FeatureStyle> featureStyle(const TagLookup& tag, const std::string& layer);
 
 /// Names a feature of no known kind: its first tag among those that classify in OpenStreetMap.
 std::string unknownName(const TagLookup& tag);
 
-/// Parses metres from "7", "7.5 m", "24 ft", "24'"; nothing for other forms, or outside 0.1 … 5000 m.
+/// Reads a length as foundation::metresOfTag() does; nothing outside 0.1 … 5000 m.
 std::optional<double> metresIn(const std::string& text);
 
 /// The value of `key` in OGR's hstore text of further tags: "width"=>"7","surface"=>"gravel".
