@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <foundation/Units.h>
+
 namespace worldmaking
 {
 
@@ -23,17 +25,34 @@ using Strip = LaneLayout::Strip;
 constexpr double kSidewalkM = 1.5, kKerbM = 0.12, kMarkM = 0.12;
 constexpr double kTaperM = 30.0; ///< over which lanes change their width
 
-std::vector<Strip> sideOf(const StreetTraits& traits, int lanes, bool hasSidewalk)
+/// One side of a street.
+struct Side
+{
+    int lanes, busLanes, sharedLanes;
+    bool hasSidewalk;
+    double speedKmh;
+};
+
+std::vector<Strip> sideOf(const StreetTraits& traits, const Side& side)
 {
     std::vector<Strip> strips;
-    for (int i = 0; i < lanes; ++i)
+    const MarkType edge = traits.hasEdgeMarks ? MarkType::solid : MarkType::none;
+    for (int i = 0; i < side.sharedLanes; ++i)
     {
-        const bool isLast = i + 1 == lanes;
-        const MarkType edge = traits.hasEdgeMarks ? MarkType::solid : MarkType::none;
-        strips.push_back({LaneType::driving, i, traits.laneWidthM, isLast ? edge : MarkType::broken});
+        const bool isEdge = side.lanes == 0 && i + 1 == side.sharedLanes;
+        const MarkType between =
+            traits.hasCentreMark || i + 1 < side.sharedLanes ? MarkType::broken : MarkType::none;
+        strips.push_back(
+            {LaneType::driving, i, traits.laneWidthM, isEdge ? edge : between, true, false, 0.0});
+    }
+    for (int i = 0; i < side.lanes; ++i)
+    {
+        const bool isLast = i + 1 == side.lanes;
+        strips.push_back({LaneType::driving, i, traits.laneWidthM, isLast ? edge : MarkType::broken, false,
+                          i >= side.lanes - side.busLanes, side.speedKmh});
     }
     if (traits.shoulderM > 0.0) strips.push_back({LaneType::shoulder, 0, traits.shoulderM, MarkType::none});
-    if (hasSidewalk) strips.push_back({LaneType::sidewalk, 0, kSidewalkM, MarkType::none});
+    if (side.hasSidewalk) strips.push_back({LaneType::sidewalk, 0, kSidewalkM, MarkType::none});
     return strips;
 }
 
@@ -55,31 +74,57 @@ Cubic taper(double s, double from, double to, double lengthM)
 /// A lane with its widths at both ends of a section.
 struct Grown
 {
-    Strip strip;
+    Strip strip; ///< as it begins
+    Strip last;  ///< as it ends
     double fromM = 0.0, toM = 0.0;
     bool isBefore = true, isAfter = true; ///< it goes on on that side
 };
+
+/// Whether one lane goes on as the other: a single track, which counts to the right side, as the innermost
+/// lane of that side.
+bool goesOn(const Strip& before, const Strip& after)
+{
+    const bool isDriven = before.type == LaneType::driving && after.type == LaneType::driving;
+    return before.isSameLane(after) ||
+           (isDriven && before.isShared != after.isShared && before.order == 0 && after.order == 0);
+}
+
+/// Whether a lane for both directions lies beside those of this one.
+bool hasTurnLane(const std::vector<Strip>& side)
+{
+    const auto isDriven = [](const Strip& strip) { return strip.type == LaneType::driving; };
+    return std::any_of(side.begin(), side.end(), [](const Strip& strip) { return strip.isShared; }) &&
+           std::any_of(side.begin(), side.end(),
+                       [&](const Strip& strip) { return isDriven(strip) && !strip.isShared; });
+}
 
 /// The lanes of two layouts side by side, from the centre outwards: by type, and within a type by order.
 std::vector<Grown> grown(const std::vector<Strip>& before, const std::vector<Strip>& after)
 {
     std::vector<Grown> lanes;
+    const bool isSingle = !hasTurnLane(before) && !hasTurnLane(after);
     for (const Strip& strip : before)
-        lanes.push_back({strip, strip.widthM, 0.0, true, false});
+        lanes.push_back({strip, strip, strip.widthM, 0.0, true, false});
     for (const Strip& strip : after)
     {
         const auto same = std::find_if(lanes.begin(), lanes.end(),
-                                       [&](const Grown& lane) { return lane.strip.isSameLane(strip); });
+                                       [&](const Grown& lane) {
+                                           return lane.isBefore && (isSingle ? goesOn(lane.strip, strip)
+                                                                             : lane.strip.isSameLane(strip));
+                                       });
         if (same == lanes.end())
-            lanes.push_back({strip, 0.0, strip.widthM, false, true});
+            lanes.push_back({strip, strip, 0.0, strip.widthM, false, true});
         else
+        {
             same->toM = strip.widthM, same->isAfter = true, same->strip.outerMark = strip.outerMark;
+            same->last = strip;
+        }
     }
     const auto rank = [](const Grown& lane)
     {
-        return std::pair(lane.strip.type == LaneType::driving    ? 0
-                         : lane.strip.type == LaneType::shoulder ? 1
-                                                                 : 2,
+        return std::pair(lane.strip.type == LaneType::driving    ? (lane.strip.isShared ? 0 : 1)
+                         : lane.strip.type == LaneType::shoulder ? 2
+                                                                 : 3,
                          lane.strip.order);
     };
     std::stable_sort(lanes.begin(), lanes.end(),
@@ -98,6 +143,10 @@ Lane laneOf(const Grown& grown, int id, double lengthM)
     mark.type = grown.strip.outerMark;
     mark.width = kMarkM;
     if (mark.type != MarkType::none) lane.marks.push_back(mark);
+    if (grown.strip.isShared || grown.last.isShared) lane.direction = osgRoads::core::LaneDirection::both;
+    if (grown.strip.isForBuses) lane.access.push_back({0.0, "allow", "bus"});
+    if (grown.strip.speedKmh > 0.0)
+        lane.speeds.push_back({0.0, grown.strip.speedKmh / foundation::kKmhPerMps});
     if (lane.type == LaneType::sidewalk) lane.heights.push_back({0.0, kKerbM, kKerbM});
     return lane;
 }
@@ -109,7 +158,7 @@ void linkSides(std::vector<Lane>& before, const std::vector<Grown>& beforeGrown,
     for (std::size_t i = 0; i < beforeGrown.size(); ++i)
         for (std::size_t j = 0; j < afterGrown.size(); ++j)
             if (beforeGrown[i].isAfter && afterGrown[j].isBefore &&
-                beforeGrown[i].strip.isSameLane(afterGrown[j].strip))
+                beforeGrown[i].last.isSameLane(afterGrown[j].strip))
             {
                 before[i].successors = {after[j].id};
                 after[j].predecessors = {before[i].id};
@@ -167,8 +216,11 @@ double LaneLayout::halfWidthM() const
 LaneLayout layoutOf(const StreetTraits& traits)
 {
     LaneLayout layout;
-    layout.left = sideOf(traits, traits.backwardLanes, traits.hasLeftSidewalk);
-    layout.right = sideOf(traits, traits.forwardLanes, traits.hasRightSidewalk);
+    const auto [forwardKmh, backwardKmh] = traits.laneKmh();
+    layout.left = sideOf(
+        traits, {traits.backwardLanes, traits.backwardBusLanes, 0, traits.hasLeftSidewalk, backwardKmh});
+    layout.right = sideOf(traits, {traits.forwardLanes, traits.forwardBusLanes, traits.sharedLanes,
+                                   traits.hasRightSidewalk, forwardKmh});
     layout.centreMark = traits.hasCentreMark ? MarkType::broken : MarkType::none;
     if (traits.hasCentreMark && traits.forwardLanes + traits.backwardLanes > 3)
         layout.centreMark = MarkType::solidSolid;

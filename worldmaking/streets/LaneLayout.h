@@ -20,8 +20,14 @@ struct LaneLayout
         int order = 0; ///< of its type, from the centre
         double widthM = 0.0;
         osgRoads::core::MarkType outerMark = osgRoads::core::MarkType::none;
+        bool isShared = false; ///< both directions use it; it counts to the right side
+        bool isForBuses = false;
+        double speedKmh = 0.0; ///< 0: that of the road
 
-        bool isSameLane(const Strip& other) const { return type == other.type && order == other.order; }
+        bool isSameLane(const Strip& other) const
+        {
+            return type == other.type && isShared == other.isShared && order == other.order;
+        }
     };
 
     std::vector<Strip> left, right;

@@ -35,6 +35,27 @@ void addStructure(Road& road, StreetPlace place)
     road.structures.push_back(std::move(structure));
 }
 
+bool isForBuses(const std::vector<osgRoads::core::Lane>& side)
+{
+    return std::none_of(side.begin(), side.end(),
+                        [](const osgRoads::core::Lane& lane)
+                        { return lane.type == LaneType::driving && lane.access.empty(); });
+}
+
+/// Whether cars of both directions have the same lanes.
+bool isOfSharedLanes(const osgRoads::core::LaneSection& section)
+{
+    const auto hasOwn = [](const std::vector<osgRoads::core::Lane>& side)
+    {
+        return std::any_of(side.begin(), side.end(),
+                           [](const osgRoads::core::Lane& lane) {
+                               return lane.type == LaneType::driving &&
+                                      lane.direction != osgRoads::core::LaneDirection::both;
+                           });
+    };
+    return !hasOwn(section.left) && !hasOwn(section.right);
+}
+
 RoadLink linkTo(const StreetArm& arm)
 {
     RoadLink link;
@@ -52,21 +73,30 @@ StreetNetwork::Arm StreetNetwork::armOf(const StreetArm& arm, const Road& road) 
     const double s = arm.isEnd ? road.length : 0.0;
     const auto frame = osgRoads::core::frameAt(road, s);
     const auto& section = arm.isEnd ? road.sections.back() : road.sections.front();
+    auto& forward = arm.isEnd ? result.in : result.out;
+    auto& backward = arm.isEnd ? result.out : result.in;
+    const bool isSingleTrack = isOfSharedLanes(section);
     const auto addSide = [&](int sign, std::vector<Gate>& gates)
     {
+        const bool isAgainst = isForBuses(sign > 0 ? section.left : section.right);
         osgRoads::core::forLanesOutwards(
             road, section, sign, s,
             [&](const osgRoads::core::LaneSpan& span)
             {
-                if (span.lane->type != LaneType::driving || span.width() < 0.1) return true;
-                const double heading = frame.headingRad + (sign > 0 ? std::numbers::pi : 0.0);
-                gates.push_back(
-                    {span.lane->id, {glm::dvec2(frame.pointAt(span.innerT, 0.0)), heading, span.width()}});
+                if (span.lane->type != LaneType::driving || span.width() < 0.1 || isAgainst) return true;
+                const bool isShared = span.lane->direction == osgRoads::core::LaneDirection::both;
+                if (isShared && !isSingleTrack) return true; // nobody goes through it
+                const auto gateAt = [&](double leftT, double headingRad) {
+                    return Gate{span.lane->id,
+                                {glm::dvec2(frame.pointAt(leftT, 0.0)), headingRad, span.width()}};
+                };
+                gates.push_back(gateAt(span.innerT, frame.headingRad + (sign > 0 ? std::numbers::pi : 0.0)));
+                if (isShared) backward.push_back(gateAt(span.outerT, frame.headingRad + std::numbers::pi));
                 return true;
             });
     };
-    addSide(-1, arm.isEnd ? result.in : result.out);
-    addSide(1, arm.isEnd ? result.out : result.in);
+    addSide(-1, forward);
+    addSide(1, backward);
     return result;
 }
 

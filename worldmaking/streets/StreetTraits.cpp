@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
+
+#include <foundation/TagQuantity.h>
+
+#include "worldmaking/streets/LaneTags.h"
+#include "worldmaking/streets/SpeedTags.h"
 
 namespace worldmaking
 {
@@ -37,31 +42,11 @@ constexpr std::array<StreetClass, 10> kClasses = {{
     {"service", "lowSpeed", 0, 1, 2.5, 0.0, 20.0, 0.15, false, false},
 }};
 
-constexpr int kMostLanes = 6;
-
 const StreetClass* classOf(std::string_view kind)
 {
     const auto found = std::find_if(kClasses.begin(), kClasses.end(),
                                     [&](const StreetClass& entry) { return entry.kind == kind; });
     return found == kClasses.end() ? nullptr : &*found;
-}
-
-std::optional<int> countOf(const Tags& tags, std::string_view key)
-{
-    const std::string_view text = valueOf(tags, key);
-    int count = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), count);
-    if (text.empty() || read.ec != std::errc() || count < 1 || count > 2 * kMostLanes) return std::nullopt;
-    return count;
-}
-
-std::optional<double> speedOf(const Tags& tags)
-{
-    const std::string_view text = valueOf(tags, "maxspeed");
-    double speed = 0.0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), speed);
-    if (read.ec != std::errc() || !(speed >= 5.0 && speed <= 150.0)) return std::nullopt;
-    return text.ends_with("mph") ? speed * 1.609344 : speed;
 }
 
 bool isAmong(std::string_view value, std::initializer_list<std::string_view> words)
@@ -71,40 +56,75 @@ bool isAmong(std::string_view value, std::initializer_list<std::string_view> wor
 
 bool isClosedToCars(const Tags& tags)
 {
-    if (valueOf(tags, "area") == "yes") return true;
+    if (valueOf(tags, "area") == "yes" || valueOf(tags, "smoothness") == "impassable") return true;
+    // A street that is yet to come, or is no more.
+    for (const std::string_view key : {"proposed", "planned", "abandoned", "disused", "demolished", "razed"})
+        if (valueOf(tags, key) == "yes") return true;
     // The most special key that says anything decides.
     for (const std::string_view key : {"motorcar", "motor_vehicle", "vehicle", "access"})
         if (const std::string_view value = valueOf(tags, key); !value.empty()) return value == "no";
     return false;
 }
 
-/// 1: along the way; -1: against it; 0: both.
-int directionOf(const Tags& tags, std::string_view kind)
+bool isUnpaved(std::string_view surface)
 {
-    const std::string_view value = valueOf(tags, "oneway");
-    if (isAmong(value, {"yes", "true", "1", "reversible", "alternating"})) return 1;
-    if (isAmong(value, {"-1", "reverse"})) return -1;
-    if (isAmong(value, {"no", "false", "0"})) return 0;
-    const bool isRing = isAmong(valueOf(tags, "junction"), {"roundabout", "circular"});
-    return isRing || kind == "motorway" ? 1 : 0;
+    return isAmong(surface, {"unpaved", "gravel", "fine_gravel", "compacted", "pebblestone", "ground", "dirt",
+                             "earth", "grass", "mud", "sand", "rock", "soil", "dirt/sand", "grass_paver"});
 }
 
-void setLanes(const Tags& tags, int direction, int usual, StreetTraits& traits)
+/// The speed by the first key that tells one.
+std::optional<double> speedOf(const Tags& tags, std::initializer_list<std::string_view> keys)
 {
-    const auto all = countOf(tags, "lanes");
-    if (direction != 0)
-    {
-        const int lanes = std::min(all.value_or(usual), kMostLanes);
-        traits.forwardLanes = direction > 0 ? lanes : 0;
-        traits.backwardLanes = direction > 0 ? 0 : lanes;
-        return;
-    }
-    int forward = usual, backward = usual;
-    if (all) forward = std::max(1, (*all + 1) / 2), backward = std::max(1, *all / 2);
-    if (const auto count = countOf(tags, "lanes:forward")) forward = *count;
-    if (const auto count = countOf(tags, "lanes:backward")) backward = *count;
-    traits.forwardLanes = std::min(forward, kMostLanes);
-    traits.backwardLanes = std::min(backward, kMostLanes);
+    for (const std::string_view key : keys)
+        if (const auto speed = speedKmhOf(valueOf(tags, key))) return speed;
+    return std::nullopt;
+}
+
+void setSpeeds(const Tags& tags, double usualKmh, StreetTraits& traits)
+{
+    const auto ahead = speedOf(tags, {"maxspeed:forward"}), back = speedOf(tags, {"maxspeed:backward"});
+    const auto all = speedOf(tags, {"maxspeed", "maxspeed:type", "source:maxspeed", "zone:maxspeed"});
+    const double forward = ahead.value_or(all.value_or(usualKmh)),
+                 backward = back.value_or(all.value_or(usualKmh));
+    const bool hasForward = traits.forwardLanes + traits.sharedLanes > 0,
+               hasBackward = traits.backwardLanes + traits.sharedLanes > 0;
+    traits.speedKmh = std::max(hasForward ? forward : 0.0, hasBackward ? backward : 0.0);
+    traits.forwardKmh = hasForward ? forward : traits.speedKmh;
+    traits.backwardKmh = hasBackward ? backward : traits.speedKmh;
+}
+
+/// The paving between kerbs, where a tag tells it.
+std::optional<double> pavingOf(const Tags& tags)
+{
+    constexpr double kLeastM = 1.5, kMostM = 60.0;
+    for (const std::string_view key : {"width:carriageway", "width", "est_width"})
+        if (const auto widthM = foundation::metresOfTag(valueOf(tags, key)))
+            if (*widthM >= kLeastM && *widthM <= kMostM) return widthM;
+    return std::nullopt;
+}
+
+void setLanes(const Tags& tags, std::string_view kind, int usual, StreetTraits& traits,
+              TagCounts* approximated)
+{
+    constexpr double kNarrowM = 4.0;      // two cars do not pass
+    constexpr double kSingleTrackM = 3.5; // where no tag says it
+    constexpr double kLeastLaneM = 1.8, kMostLaneM = 6.0;
+    const auto pavingM = pavingOf(tags);
+    const StreetDirection direction = directionOf(tags, kind, approximated);
+    const LaneCounts lanes =
+        lanesOfTags(tags, direction, usual, pavingM && *pavingM < kNarrowM, approximated);
+    traits.forwardLanes = lanes.forward;
+    traits.backwardLanes = lanes.backward;
+    traits.sharedLanes = lanes.shared;
+    traits.forwardBusLanes = lanes.forwardBus;
+    traits.backwardBusLanes = lanes.backwardBus;
+    if (traits.isSingleTrack()) traits.laneWidthM = kSingleTrackM;
+    if (!pavingM) return;
+    const double eachM = *pavingM / (lanes.forward + lanes.backward + lanes.shared);
+    if (eachM >= kLeastLaneM && eachM <= kMostLaneM)
+        traits.laneWidthM = eachM;
+    else
+        countTag(approximated, tags, valueOf(tags, "width").empty() ? "est_width" : "width");
 }
 
 void setSidewalks(const Tags& tags, StreetTraits& traits)
@@ -133,6 +153,8 @@ StreetTraits StreetTraits::reversed() const
 {
     StreetTraits other = *this;
     std::swap(other.forwardLanes, other.backwardLanes);
+    std::swap(other.forwardBusLanes, other.backwardBusLanes);
+    std::swap(other.forwardKmh, other.backwardKmh);
     std::swap(other.hasLeftSidewalk, other.hasRightSidewalk);
     return other;
 }
@@ -140,12 +162,14 @@ StreetTraits StreetTraits::reversed() const
 bool StreetTraits::hasSameLanes(const StreetTraits& other) const
 {
     return forwardLanes == other.forwardLanes && backwardLanes == other.backwardLanes &&
+           sharedLanes == other.sharedLanes && forwardBusLanes == other.forwardBusLanes &&
+           backwardBusLanes == other.backwardBusLanes && laneKmh() == other.laneKmh() &&
            laneWidthM == other.laneWidthM && shoulderM == other.shoulderM &&
            hasLeftSidewalk == other.hasLeftSidewalk && hasRightSidewalk == other.hasRightSidewalk &&
            hasCentreMark == other.hasCentreMark && hasEdgeMarks == other.hasEdgeMarks;
 }
 
-std::optional<StreetTraits> traitsOf(const Tags& tags)
+std::optional<StreetTraits> traitsOf(const Tags& tags, TagCounts* approximated)
 {
     const std::string_view kind = valueOf(tags, "highway");
     const bool isLink = kind.ends_with("_link");
@@ -160,11 +184,14 @@ std::optional<StreetTraits> traitsOf(const Tags& tags)
     traits.laneWidthM = found->laneWidthM;
     traits.shoulderM = found->shoulderM;
     traits.steepest = found->steepest;
-    traits.speedKmh = speedOf(tags).value_or(isLink ? 0.6 * found->speedKmh : found->speedKmh);
-    setLanes(tags, directionOf(tags, kind), isLink ? 1 : found->lanes, traits);
+    setLanes(tags, kind, isLink ? 1 : found->lanes, traits, approximated);
+    setSpeeds(tags, isLink ? 0.6 * found->speedKmh : found->speedKmh, traits);
     setSidewalks(tags, traits);
-    traits.hasCentreMark = found->hasCentreMark && traits.forwardLanes > 0 && traits.backwardLanes > 0;
-    traits.hasEdgeMarks = found->hasEdgeMarks;
+    const std::string_view marks = valueOf(tags, "lane_markings");
+    const bool isMarked = marks.empty() ? !isUnpaved(valueOf(tags, "surface")) : marks != "no";
+    traits.hasCentreMark = isMarked && (found->hasCentreMark || marks == "yes") && traits.forwardLanes > 0 &&
+                           traits.backwardLanes > 0;
+    traits.hasEdgeMarks = isMarked && found->hasEdgeMarks;
     traits.place = placeOf(tags);
     return traits;
 }

@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "worldmaking/map/StreetMap.h"
+#include "worldmaking/map/TagCounts.h"
 
 namespace worldmaking
 {
@@ -26,14 +28,25 @@ struct StreetTraits
     int importance = 0;    ///< 0 service … 8 motorway; a link has that of its road
     int forwardLanes = 1;  ///< lanes in the direction of the way
     int backwardLanes = 1; ///< against it; 0: one way
+    /// between them, for both directions: a single track, a lane for turns to the left
+    int sharedLanes = 0;
+    int forwardBusLanes = 0, backwardBusLanes = 0; ///< of the lanes, outermost: for buses alone
     double laneWidthM = 2.75;
     double shoulderM = 0.0;
     bool hasLeftSidewalk = false, hasRightSidewalk = false;
     bool hasCentreMark = false, hasEdgeMarks = false;
-    double speedKmh = 50.0;
-    double steepest = 0.15; ///< grade that its class allows
+    double speedKmh = 50.0;                       ///< the greater of both directions
+    double forwardKmh = 50.0, backwardKmh = 50.0; ///< of each
+    double steepest = 0.15;                       ///< grade that its class allows
     StreetPlace place = StreetPlace::ground;
 
+    /// Whether cars of both directions share all lanes.
+    bool isSingleTrack() const { return sharedLanes > 0 && forwardLanes + backwardLanes == 0; }
+    /// The speeds of its lanes, where both directions differ: forward and backward.
+    std::pair<double, double> laneKmh() const
+    {
+        return forwardKmh == backwardKmh ? std::pair(0.0, 0.0) : std::pair(forwardKmh, backwardKmh);
+    }
     /// The same street seen from its other end.
     StreetTraits reversed() const;
     /// Whether both have the same lanes, so that no lane begins or ends between them.
@@ -41,10 +54,11 @@ struct StreetTraits
 };
 
 /// Returns the traits of a way; nothing for one that cars cannot or must not use (footpaths, tracks, closed
-/// and planned roads). Numbers that a tag lacks or has wrong are those of its class.
-/// Sources: the OpenStreetMap wiki, *Key:highway*, *Key:lanes*, *Key:oneway*; lane widths and grades after
-/// RAL 2012 (Germany) and TxDOT, *Roadway Design Manual*, 2022, 2-3 (local roads in rolling and mountainous
-/// country).
-std::optional<StreetTraits> traitsOf(const Tags& tags);
+/// and planned roads). Numbers that a tag lacks or has wrong are those of its class. `approximated`: counts
+/// tags that are taken for something else; may be null.
+/// Sources: the OpenStreetMap wiki, *Key:highway*, *Key:lanes*, *Key:oneway*, *Key:maxspeed*; lane widths and
+/// grades after RAL 2012 (Germany) and TxDOT, *Roadway Design Manual*, 2022, 2-3 (local roads in rolling and
+/// mountainous country).
+std::optional<StreetTraits> traitsOf(const Tags& tags, TagCounts* approximated = nullptr);
 
 } // namespace worldmaking

@@ -58,6 +58,13 @@ void writeLane(pugi::xml_node side, const Lane& lane)
     for (const RoadMark& mark : lane.marks)
         writeMark(node, mark);
     writeSpeeds(node, lane);
+    for (const LaneRule& access : lane.access)
+    {
+        const pugi::xml_node entry = node.append_child("access");
+        set(entry, "sOffset", access.s);
+        if (!access.rule.empty()) set(entry, "rule", access.rule);
+        set(entry, "restriction", access.restriction);
+    }
     for (const LaneHeight& height : lane.heights)
     {
         const pugi::xml_node entry = node.append_child("height");

@@ -20,7 +20,7 @@ bool hasUnwrittenLane(const std::vector<Lane>& lanes)
 {
     const auto isUnwritten = [](const Lane& lane)
     {
-        return !lane.access.empty() || !lane.rules.empty() || !lane.materials.empty() ||
+        return !lane.rules.empty() || !lane.materials.empty() ||
                std::any_of(lane.marks.begin(), lane.marks.end(),
                            [](const RoadMark& mark) {
                                return !mark.lines.empty() || !mark.explicitLines.empty() ||

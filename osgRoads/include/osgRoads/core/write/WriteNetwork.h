@@ -15,7 +15,7 @@ namespace osgRoads::core
 /// tunnels, junctions with their connections and priorities.
 /// Numbers have twelve significant digits: 1 µm at 1000 km from the origin. The same network gives the same
 /// bytes.
-/// Differs: not written are crossfall, shapes, explicit marks, lane access and rules, objects and signals
+/// Differs: not written are crossfall, shapes, explicit marks, lane rules, objects and signals
 /// with their controllers, so a network that has any of these is an error, not a shorter file.
 /// Errors: those; the file cannot be written (then nothing is left under its name).
 /// Source: ASAM OpenDRIVE 1.7, 6 (general), 8 to 12.

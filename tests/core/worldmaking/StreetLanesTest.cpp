@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lanes of tags in a network: single tracks, lanes for turns in the middle, buses against a one-way street.
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <osgRoads/core/check/NetworkCheck.h>
+#include <osgRoads/core/query/LaneGraph.h>
+#include <osgRoads/core/read/ReadNetwork.h>
+#include <osgRoads/core/write/WriteNetwork.h>
+
+#include "MadeStreets.h"
+#include "TestFolder.h"
+
+namespace
+{
+
+using namespace osgRoads::core;
+
+double level(double, double)
+{
+    return 500.0;
+}
+
+/// The network of a map as a file has it.
+RoadNetwork networkOf(const MadeMap& map)
+{
+    const testsupport::TestFolder folder("lanes");
+    const auto file = folder / "roads.xodr";
+    const auto written = writeNetwork(streetsOf(map, level).network, file);
+    EXPECT_TRUE(written) << (written ? "" : written.error().message());
+    auto read = readNetwork(file);
+    EXPECT_TRUE(read) << (read ? "" : read.error().message());
+    EXPECT_TRUE(read->problems.empty()) << read->problems.front().message("roads.xodr");
+    return std::move(read->network);
+}
+
+/// Driving lanes of a road in its middle, and how wide they are together.
+struct Paving
+{
+    int left = 0, right = 0, shared = 0, forBuses = 0;
+    double widthM = 0.0;
+};
+
+Paving pavingOf(const Road& road)
+{
+    Paving paving;
+    const LaneSection& section = road.sections.front();
+    for (const auto* side : {&section.left, &section.right})
+        for (const Lane& lane : *side)
+        {
+            if (lane.type != LaneType::driving) continue;
+            ++(side == &section.left ? paving.left : paving.right);
+            paving.shared += lane.direction == LaneDirection::both;
+            paving.forBuses += !lane.access.empty() && lane.access.front().restriction == "bus";
+            paving.widthM += lane.width.value(0.0);
+        }
+    return paving;
+}
+
+Paving pavingOf(std::initializer_list<std::pair<const char*, const char*>> tags)
+{
+    MadeMap map;
+    map.way({map.node(-100, 0), map.node(100, 0)}, tags);
+    return pavingOf(networkOf(map).roads.front());
+}
+
+void expectSound(const RoadNetwork& network)
+{
+    JointLimits limits;
+    limits.laneStepM = 0.01;
+    for (const Flaw& flaw : checkNetwork(network, limits).flaws)
+        ADD_FAILURE() << flaw.message("lanes");
+}
+
+/// The ids of roads without junction that traffic on one lane of `road` gets to.
+std::set<int> reachedFrom(const RoadNetwork& network, int road, bool isForward)
+{
+    const LaneGraph graph(network);
+    std::vector<std::uint32_t> open;
+    std::set<std::uint32_t> seen;
+    for (std::uint32_t i = 0; i < graph.lanes().size(); ++i)
+        if (graph.lanes()[i].road == road && graph.lanes()[i].isForward == isForward) open.push_back(i);
+    std::set<int> roads;
+    while (!open.empty())
+    {
+        const std::uint32_t lane = open.back();
+        open.pop_back();
+        if (!seen.insert(lane).second) continue;
+        const int on = graph.lanes()[lane].road;
+        if (network.roads[static_cast<std::size_t>(on)].junction < 0) roads.insert(on);
+        for (const auto& edge : graph.edges(lane))
+            open.push_back(edge.to);
+    }
+    return roads;
+}
+
+} // namespace
+
+TEST(StreetLanes, ASingleTrackIsOneLaneThatBothDirectionsUse)
+{
+    const Paving single = pavingOf({{"highway", "residential"}, {"lanes", "1"}});
+    EXPECT_EQ(single.left + single.right, 1);
+    EXPECT_EQ(single.shared, 1);
+    EXPECT_GE(single.widthM, 3.0);
+    EXPECT_LE(single.widthM, 4.0);
+    const Paving two = pavingOf({{"highway", "residential"}});
+    EXPECT_EQ(two.left + two.right, 2);
+    EXPECT_EQ(two.shared, 0);
+}
+
+TEST(StreetLanes, ALaneInTheMiddleAndOneForBusesAreLanesOfTheNetwork)
+{
+    const Paving turn = pavingOf({{"highway", "secondary"},
+                                  {"lanes", "3"},
+                                  {"lanes:both_ways", "1"},
+                                  {"lanes:forward", "1"},
+                                  {"lanes:backward", "1"}});
+    EXPECT_EQ(turn.left + turn.right, 3);
+    EXPECT_EQ(turn.shared, 1);
+    const Paving bus =
+        pavingOf({{"highway", "secondary"}, {"oneway", "yes"}, {"oneway:bus", "no"}, {"lanes", "3"}});
+    EXPECT_EQ(bus.right, 2);
+    EXPECT_EQ(bus.left, 1);
+    EXPECT_EQ(bus.forBuses, 1);
+}
+
+TEST(StreetLanes, BothDirectionsOfASingleTrackGoThroughItsCrossings)
+{
+    MadeMap map;
+    const int middle = map.node(0, 0);
+    for (const auto& [east, north] : {std::pair(150, 0), {-150, 20}, {10, 140}})
+        map.way({middle, map.node(east, north)}, {{"highway", "residential"}, {"lanes", "1"}});
+    map.way({middle, map.node(-20, -150)}, {{"highway", "residential"}});
+    const RoadNetwork network = networkOf(map);
+    expectSound(network);
+    EXPECT_EQ(network.junctions.front().connections.size(), 12u);
+    for (int road = 0; road < 4; ++road) // ways lead away from the crossing: backward goes into it
+        EXPECT_EQ(reachedFrom(network, road, false).size(), 4u) << road;
+}
+
+TEST(StreetLanes, AStreetThatNarrowsToASingleTrackStaysOneInBothDirections)
+{
+    MadeMap map;
+    const int a = map.node(-300, 0), b = map.node(-100, 0), c = map.node(100, 0), d = map.node(300, 0);
+    map.way({a, b}, {{"highway", "tertiary"}});
+    map.way({b, c}, {{"highway", "tertiary"}, {"lanes", "1"}});
+    map.way({c, d}, {{"highway", "tertiary"}, {"oneway", "yes"}});
+    const RoadNetwork network = networkOf(map);
+    expectSound(network);
+    const LaneGraph graph(network);
+    const auto& sections = network.roads.front().sections;
+    ASSERT_EQ(sections.size(), 5u); // with two tapers
+    // Forward: from the first lane on the right to the last section. Backward: from the single track to the
+    // first.
+    const auto ends = [&](LaneKey from)
+    {
+        std::set<std::uint32_t> seen;
+        std::set<int> reached;
+        std::vector<std::uint32_t> open = {*graph.find(from)};
+        while (!open.empty())
+        {
+            const std::uint32_t lane = open.back();
+            open.pop_back();
+            if (!seen.insert(lane).second) continue;
+            reached.insert(graph.lanes()[lane].section);
+            for (const auto& edge : graph.edges(lane))
+                open.push_back(edge.to);
+        }
+        return reached;
+    };
+    EXPECT_TRUE(ends({0, 0, -1, true}).contains(4));
+    EXPECT_TRUE(ends({0, 2, -1, false}).contains(0));
+}
+
+TEST(StreetLanes, CarsDoNotTurnIntoALaneForBusesAgainstAOneWayStreet)
+{
+    MadeMap map;
+    const int middle = map.node(0, 0);
+    map.way({map.node(-150, 0), middle},
+            {{"highway", "secondary"}, {"oneway", "yes"}, {"busway", "opposite_lane"}});
+    map.way({middle, map.node(150, 0)}, {{"highway", "secondary"}});
+    map.way({middle, map.node(0, 150)}, {{"highway", "secondary"}});
+    const RoadNetwork network = networkOf(map);
+    expectSound(network);
+    EXPECT_FALSE(reachedFrom(network, 1, false).contains(0));
+    EXPECT_TRUE(reachedFrom(network, 0, false).contains(1)); // its road leads away from the crossing
+}
+
+TEST(StreetLanes, SpeedsOfBothDirectionsStandWithTheirLanes)
+{
+    MadeMap map;
+    map.way({map.node(-100, 0), map.node(100, 0)},
+            {{"highway", "primary"}, {"maxspeed:forward", "70"}, {"maxspeed:backward", "30 mph"}});
+    const RoadNetwork network = networkOf(map);
+    const LaneSection& section = network.roads.front().sections.front();
+    ASSERT_FALSE(section.left.front().speeds.empty());
+    ASSERT_FALSE(section.right.front().speeds.empty());
+    EXPECT_NEAR(*section.right.front().speeds.front().metresPerSecond, 70.0 / 3.6, 1e-6);
+    EXPECT_NEAR(*section.left.front().speeds.front().metresPerSecond, 13.4112, 1e-6);
+}
