@@ -10,6 +10,7 @@
 #include <osgTerrainROAM/core/heightfield/DemCheck.h>
 
 #include "worldmaking/land/Runways.h"
+#include "worldmaking/land/TagReport.h"
 #include "worldmaking/land/Waters.h"
 #include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/map/ReadLand.h"
@@ -59,26 +60,59 @@ void print(const nlohmann::ordered_json& rows)
             std::cout << part << '.' << key << ' ' << value.dump() << '\n';
 }
 
-/// The runways of a table, and how many others it has.
-struct ListedRunways
+/// The files of the map, the runways of a table, and how many others it has.
+struct InputHeads
 {
+    std::vector<worldmaking::MapSource> maps;
     std::vector<worldmaking::Runway> runways;
     std::size_t unusable = 0;
 };
 
 /// Reads of the inputs what is read in no time, so that what is wrong with it is told before any work.
-foundation::Result<ListedRunways> readHeads(const Request& request)
+foundation::Result<InputHeads> readHeads(const Request& request)
 {
     if (const auto usable = osgTerrainROAM::core::checkDems(request.dems); !usable) return usable.error();
     if (!request.landCover.empty())
         if (const auto table = osgTerrainROAM::core::readCoverTable(request.landCoverClasses); !table)
             return table.error();
-    ListedRunways listed;
+    InputHeads listed;
+    auto maps = worldmaking::mapSourcesOf(request.maps);
+    if (!maps) return maps.error();
+    listed.maps = std::move(*maps);
     if (request.runways.empty()) return listed;
     auto read = worldmaking::readRunways(request.runways, listed.unusable);
     if (!read) return read.error();
     listed.runways = std::move(*read);
     return listed;
+}
+
+/// Tells on a line each how the map was joined, and which of its tags are not taken as they stand; and puts
+/// it into the report.
+void tellOfMap(const WholeMap& map, const std::string& name, nlohmann::ordered_json& report)
+{
+    const worldmaking::JoinReport& joined = map.joined;
+    if (joined.isJoined || joined.files > 1)
+    {
+        report["map"] = {{"files", joined.files},
+                         {"objects", joined.objects},
+                         {"repeated", joined.repeated},
+                         {"deleted", joined.deleted},
+                         {"renumbered", joined.renumbered}};
+        const std::string done =
+            joined.files == 1 ? "put in order" : "joined from " + std::to_string(joined.files) + " files";
+        std::cerr << "worldtool: " << name << ": " << done << "; " << joined.repeated
+                  << " states of objects are repeated or older, " << joined.deleted
+                  << " objects are deleted\n";
+    }
+    const worldmaking::TagReport tags = worldmaking::tagReportOf(map.land);
+    report["tags"] = {{"passedOver", tags.passedOver}, {"approximated", tags.approximated}};
+    const auto tell = [&](const worldmaking::TagCounts& counts, const char* what)
+    {
+        if (!counts.empty())
+            std::cerr << "worldtool: " << name << ": " << what << worldmaking::lineOf(counts) << '\n';
+    };
+    tell(tags.passedOver, "values that cannot be read are passed over: ");
+    tell(tags.approximated, "tags of streets that are approximated: ");
 }
 
 /// Level ground is no lake where the map tells what water there is: villages stood in water on a delta whose
@@ -96,10 +130,20 @@ terminal::Places placesOf(const Request& request)
     terminal::Places places;
     places.folders = {{request.world, "build.json"}};
     places.read = {request.runways, request.landCover};
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(request.map, ignored))
-        places.read.push_back(request.map); // else of shapefiles
+    for (const auto& map : request.maps)
+    {
+        std::error_code ignored;
+        const bool isOfGdal = map.string().starts_with("/vsi");
+        if (!isOfGdal && !std::filesystem::is_directory(map, ignored)) places.read.push_back(map);
+    }
     return places;
+}
+
+std::string mapNameOf(const Request& request)
+{
+    if (request.maps.empty()) return "the made-up map";
+    const std::size_t others = request.maps.size() - 1;
+    return request.maps.front().string() + (others > 0 ? " and " + std::to_string(others) + " more" : "");
 }
 
 foundation::Result<Report> build(const Request& request)
@@ -135,12 +179,12 @@ foundation::Result<Report> build(const Request& request)
     auto cover = coverOf(request, *ground);
     if (!cover) return cover.error();
     progress.begin(kMap.name, kMap.share);
-    const bool isMadeUp = request.map.empty();
-    auto map =
-        isMadeUp ? foundation::Result<WholeMap>(WholeMap()) : readMap(request.map, *bounds, ground->bounds);
+    const bool isMadeUp = request.maps.empty();
+    auto map = isMadeUp ? foundation::Result<WholeMap>(WholeMap())
+                        : readMap(listed->maps, request.world, *bounds, ground->bounds);
     if (!map) return map.error();
     if (!isMadeUp && map->streets.ways.empty() && !map->isOn(*ground))
-        return foundation::Error{request.map.string(), "nothing in it lies on the elevation data",
+        return foundation::Error{mapNameOf(request), "nothing in it lies on the elevation data",
                                  "give a map and elevation data of the same region"};
     std::vector<worldmaking::Runway> runways;
     bool hasSea = false;
@@ -168,6 +212,7 @@ foundation::Result<Report> build(const Request& request)
                       waterOf(map->land, isMadeUp, hasSea), madePlaces, ground->placeInScene, climate,
                       *std::move(cover)},
                      ground->heightM, std::move(*state), progress);
+    if (!isMadeUp) tellOfMap(*map, mapNameOf(request), maker.report.json);
     if (isMadeUp) maker.report.json["madeUp"] = madeUp;
     if (isMadeUp) maker.report.json["places"] = places;
     if (const auto made = maker.make(); !made) return made.error();

@@ -57,6 +57,22 @@ std::optional<std::string> sumOf(const std::filesystem::path& file)
     return sum.addFile(file) ? std::optional(sum.text()) : std::nullopt;
 }
 
+/// The files of a folder and of the folders in it, by name; none of a file.
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> files;
+    std::error_code failed;
+    if (!std::filesystem::is_directory(folder, failed)) return files;
+    auto entry = std::filesystem::recursive_directory_iterator(folder, failed);
+    for (; !failed && entry != std::filesystem::recursive_directory_iterator(); entry.increment(failed))
+    {
+        if (entry.depth() >= 2) entry.disable_recursion_pending();
+        files.push_back(entry->path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 } // namespace
 
 foundation::Result<BuildState> BuildState::open(const Request& request)
@@ -68,15 +84,16 @@ foundation::Result<BuildState> BuildState::open(const Request& request)
     for (const double bound : request.bounds)
         sum.add(std::to_string(bound));
     std::vector<std::filesystem::path> inputs = request.dems;
-    inputs.push_back(request.map);
     inputs.push_back(request.runways);
     inputs.push_back(request.landCover);
     inputs.push_back(request.landCoverClasses);
     std::error_code ignored;
-    if (std::filesystem::is_directory(request.map, ignored))
-        for (const auto& entry : std::filesystem::directory_iterator(request.map, ignored))
-            inputs.push_back(entry.path());
-    std::sort(inputs.begin() + static_cast<std::ptrdiff_t>(request.dems.size()), inputs.end());
+    for (const auto& map : request.maps) // in their order: the later one counts
+    {
+        inputs.push_back(map);
+        const auto files = filesIn(map);
+        inputs.insert(inputs.end(), files.begin(), files.end());
+    }
     for (const auto& input : inputs)
     {
         sum.add(input.string());

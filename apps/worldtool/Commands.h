@@ -19,7 +19,7 @@ namespace worldtool
 struct Request
 {
     std::vector<std::filesystem::path> dems; ///< elevation rasters, one or more
-    std::filesystem::path map;               ///< an OpenStreetMap extract; empty: one is made up
+    std::vector<std::filesystem::path> maps; ///< files, folders and archives of a map; empty: one is made up
     std::uint64_t seed = 1;                  ///< of what is made up
     std::optional<double> aridity;           ///< of what is made up: 0 wet … 1 desert; absent: of the place
     std::filesystem::path
@@ -34,6 +34,9 @@ struct Request
 
 using terminal::Report;
 
+/// Names the map of a request, for messages.
+std::string mapNameOf(const Request& request);
+
 /// What a build reads and writes.
 terminal::Places placesOf(const Request& request);
 
@@ -41,8 +44,8 @@ terminal::Places placesOf(const Request& request);
 /// ground.gpkg, landcover.tif, trees.gpkg, world.roam, and a report of what was used. The folder is made
 /// where there is none; of its files those alone are replaced, each as a whole. What is wrong with the heads
 /// of the inputs is told before any work.
-/// Errors: those of importDems(), readOsm(), readLand() and buildStreets(); bounds that are none; files that
-/// cannot be written.
+/// Errors: those of importDems(), mapSourcesOf(), joinOsm(), readOsm(), readLand() and buildStreets(); bounds
+/// that are none; files that cannot be written.
 foundation::Result<Report> build(const Request& request);
 
 /// Looks by brute force for what stands wrong in a world: a folder with world.roam, or a .roam file. The

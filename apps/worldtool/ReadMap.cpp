@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <string>
+#include <system_error>
+#include <utility>
 
 #include "worldmaking/map/ClipShapes.h"
+#include "worldmaking/map/JoinLand.h"
 #include "worldmaking/map/ReadLand.h"
 #include "worldmaking/map/ReadOsm.h"
 
@@ -31,11 +34,45 @@ void cutTo(const MapBounds& bounds, worldmaking::StreetMap& streets)
                   });
 }
 
-bool isOsm(const std::filesystem::path& file)
+/// The file that several are joined to. It goes with this object, and what an ended build left.
+class JoinedFile
 {
-    const std::string name = file.filename().string();
-    return name.ends_with(".osm") || name.ends_with(".osm.gz") || name.ends_with(".pbf") ||
-           name.ends_with(".osm.bz2");
+public:
+    explicit JoinedFile(const std::filesystem::path& folder) : path(folder / "map.part.osm.pbf") { remove(); }
+    ~JoinedFile() { remove(); }
+    JoinedFile(const JoinedFile&) = delete;
+    JoinedFile& operator=(const JoinedFile&) = delete;
+
+    const std::filesystem::path path;
+
+private:
+    void remove() const
+    {
+        std::error_code failed;
+        std::vector<std::filesystem::path> left;
+        for (auto entry = std::filesystem::directory_iterator(path.parent_path(), failed);
+             !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed))
+            if (entry->path().filename().string().starts_with(path.filename().string()))
+                left.push_back(entry->path());
+        for (const auto& file : left)
+            std::filesystem::remove(file, failed);
+    }
+};
+
+foundation::Outcome addOsm(const std::vector<worldmaking::MapSource>& sources,
+                           const std::filesystem::path& folder, const MapBounds& bounds, WholeMap& map)
+{
+    const JoinedFile joined(folder);
+    const auto file = worldmaking::joinOsm(sources, joined.path, map.joined);
+    if (!file) return file.error();
+    auto streets = worldmaking::readOsm(*file);
+    if (!streets) return streets.error();
+    map.streets = std::move(*streets);
+    cutTo(bounds, map.streets);
+    auto land = worldmaking::readLand(*file, bounds);
+    if (!land) return land.error();
+    map.land = std::move(*land);
+    return foundation::success();
 }
 
 } // namespace
@@ -53,24 +90,30 @@ bool WholeMap::isOn(const EarthGround& ground) const
                        });
 }
 
-foundation::Result<WholeMap> readMap(const std::filesystem::path& file, const MapBounds& bounds,
+foundation::Result<WholeMap> readMap(const std::vector<worldmaking::MapSource>& sources,
+                                     const std::filesystem::path& folder, const MapBounds& bounds,
                                      const MapBounds& ground)
 {
     constexpr double kMarginDeg = 0.05; // woods and waters go on to the edge of what is seen
 
     WholeMap map;
-    if (isOsm(file))
+    std::vector<worldmaking::MapSource> osm, others;
+    for (const auto& source : sources)
+        (source.isOsm ? osm : others).push_back(source);
+    if (!osm.empty())
+        if (const auto added = addOsm(osm, folder, bounds, map); !added) return added.error();
+    worldmaking::LandMap more;
+    for (const auto& source : others)
     {
-        auto streets = worldmaking::readOsm(file);
-        if (!streets) return streets.error();
-        map.streets = std::move(*streets);
-        cutTo(bounds, map.streets);
+        auto land = worldmaking::readLand(source.file, bounds);
+        if (!land) return land.error();
+        map.joined.repeated += worldmaking::joinLand(more, std::move(*land));
+        ++map.joined.files;
     }
-    auto land = worldmaking::readLand(file, bounds);
-    if (!land) return land.error();
-    map.land = std::move(*land);
     worldmaking::clipTo(ground, kMarginDeg, map.land);
-    if (!isOsm(file)) map.streets = worldmaking::streetsOf(map.land);
+    worldmaking::clipTo(ground, kMarginDeg, more);
+    worldmaking::joinStreets(map.streets, worldmaking::streetsOf(more));
+    (void)worldmaking::joinLand(map.land, std::move(more));
     return map;
 }
 

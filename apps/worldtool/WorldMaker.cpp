@@ -39,8 +39,7 @@ constexpr double kRoadSampleM = 3.0; ///< between samples of the ground beside r
 
 foundation::Outcome WorldMaker::make()
 {
-    const std::string mapName =
-        _source.request.map.empty() ? "the made-up map" : _source.request.map.string();
+    const std::string mapName = mapNameOf(_source.request);
     begin(kEarth);
     if (auto made = makeEarth(); !made) return made;
     begin(kStreets);
@@ -141,7 +140,7 @@ std::optional<double> WorldMaker::heightM(const worldmaking::MapPlane& plane, co
 foundation::Outcome WorldMaker::makeEarth()
 {
     const auto made =
-        worldmaking::MapPlane::create(worldmaking::planeAbout(_source.land), _source.request.map.string());
+        worldmaking::MapPlane::create(worldmaking::planeAbout(_source.land), mapNameOf(_source.request));
     if (!made) return made.error();
     const auto plane = std::make_shared<const worldmaking::MapPlane>(*made);
     const worldmaking::PlanHeight ground = [&](const glm::dvec2& plan) -> std::optional<double>
@@ -215,7 +214,7 @@ void WorldMaker::fillCover(worldmaking::CoverRaster& cover, const worldmaking::M
                 const auto place = plane.toDegrees(plan);
                 return place ? _source.coverAt(*place) : worldmaking::Cover::none;
             });
-    else if (!_source.request.map.empty() && middle)
+    else if (!_source.request.maps.empty() && middle)
         worldmaking::fillSilentLand(cover, {room, _houses, height, middle->y});
     land.silentWoodsHa = 1e-4 * cover.texelM() * cover.texelM() *
                          static_cast<double>(cover.count(worldmaking::Cover::trees) - before);

@@ -1,9 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // worldtool: makes worlds from elevation data and maps.
+#include <algorithm>
+
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
+#include "worldmaking/map/MapSources.h"
 #include "worldtool/Commands.h"
 #include "worldtool/Processors.h"
+
+namespace worldtool
+{
+
+namespace
+{
+
+/// Takes elevation rasters that stand behind the values of --map.
+void partRasters(Request& request, const CLI::Option& dem)
+{
+    if (request.dems.empty() && request.maps.size() > 1)
+    {
+        const auto rasters =
+            std::stable_partition(request.maps.begin() + 1, request.maps.end(), worldmaking::isMapName);
+        request.dems.assign(rasters, request.maps.end());
+        request.maps.erase(rasters, request.maps.end());
+    }
+    if (request.dems.empty()) throw CLI::RequiredError(dem.get_name());
+}
+
+} // namespace
+
+} // namespace worldtool
 
 namespace
 {
@@ -17,10 +43,15 @@ int run(int argc, char** argv)
     request.version = OSGTRAINER_VERSION;
     std::filesystem::path jsonFile;
     CLI::App* build = app.add_subcommand("build", "a world with the streets of a map");
-    build->add_option("DEM", request.dems, "elevation rasters")->required();
+    CLI::Option* dem = build->add_option("DEM", request.dems, "elevation rasters; one or more must be given");
     CLI::Option* map =
-        build->add_option("--map", request.map,
-                          "an OpenStreetMap extract: .osm, .osm.gz or .osm.pbf; without it a map is made up");
+        build
+            ->add_option(
+                "--map", request.maps,
+                "a map, one or more: .osm, .osm.gz, .osm.bz2, .osm.pbf, .osc …, GeoPackage, GeoJSON, "
+                "shapefile, or a folder or .zip of them; without it a map is made up")
+            ->type_name("PATH ...");
+    build->callback([&] { worldtool::partRasters(request, *dem); });
     build->add_option("--seed", request.seed, "of the map that is made up")->excludes(map);
     build
         ->add_option("--aridity", request.aridity,

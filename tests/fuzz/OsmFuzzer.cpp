@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a map: its streets become a network on a hillside, or it is refused.
+// Any bytes may be given as a map: its streets become a network on a hillside, or it is refused. A part of
+// them is a file that is joined first, too.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <string>
 #include <string_view>
 
+#include <unistd.h>
+
+#include "worldmaking/map/JoinOsm.h"
 #include "worldmaking/map/ReadOsm.h"
 #include "worldmaking/streets/BuildStreets.h"
 
@@ -28,11 +35,33 @@ std::optional<double> hillside(double latitudeDeg, double longitudeDeg)
     return 1000.0 + 5000.0 * (latitudeDeg - 42.5) + 40.0 * std::sin(2000.0 * longitudeDeg);
 }
 
+/// What is joined can be read.
+void join(std::string_view bytes)
+{
+    const auto folder = std::filesystem::temp_directory_path() / ("fuzz-osm-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "fuzz.osm", std::ios::binary) << bytes;
+    worldmaking::JoinReport report;
+    const worldmaking::MapSource source{(folder / "fuzz.osm").string(), true};
+    const auto joined = worldmaking::joinOsm({source, source}, folder / "joined.osm.pbf", report);
+    if (joined)
+    {
+        const auto map = worldmaking::readOsm(*joined);
+        require(map || map.error().message().find("no nodes") != std::string::npos);
+        if (map)
+            for (const auto& way : map->ways)
+                require(way.id > 0 && way.nodes.size() >= 2);
+    }
+    std::filesystem::remove_all(folder);
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
+    if (constexpr std::size_t kOneOf = 8; size % kOneOf == 0)
+        join({reinterpret_cast<const char*>(data), size});
     const auto map = worldmaking::parseOsm({reinterpret_cast<const char*>(data), size}, "osm", "fuzz");
     if (!map) return 0;
     const auto streets = worldmaking::buildStreets(*map, hillside, "fuzz");

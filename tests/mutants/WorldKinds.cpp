@@ -59,6 +59,18 @@ public:
                 }};
     }
 
+    /// Changes of a map that is whole.
+    InputKind changes(seeds::Files files) const
+    {
+        return {
+            "osc", std::move(files),
+            [this_ = *this](const std::string& file) -> std::vector<Command>
+            {
+                const auto map = this_._folders.corpus() / "village.osm";
+                return {this_.world({"--map", map.string(), "--map", file}), this_.world({"--map", file})};
+            }};
+    }
+
     /// Runways stand beside a map that is whole.
     InputKind runways(seeds::Files files) const
     {
@@ -131,6 +143,8 @@ std::vector<InputKind> worldKinds(const MutantFolders& folders)
         make.roads(joined({corpus / "curves.xodr", corpus / "junction.xodr"},
                           realFiles(folders.real("openscenario"), {".xodr"}))),
         make.maps("osm", {corpus / "village.osm"}),
+        make.maps("josm", {corpus / "josm.osm"}),
+        make.changes({corpus / "edit.osc"}),
         make.maps("geojson", {written(folders.scratch / "land.geojson", kLand), corpus / "frame.geojson"}),
         make.runways({written(folders.scratch / "runways.csv", kRunways)})};
 }

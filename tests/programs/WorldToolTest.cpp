@@ -260,6 +260,59 @@ TEST(WorldTool, ARasterOfLandCoverTellsWhatTheMapDoesNot)
     EXPECT_EQ(treesWith("grass", "30"), 0);
 }
 
+/// The map of an editor, a change to it, and a map of another kind make one world; what is not taken as it
+/// stands is told on a line each.
+TEST(WorldTool, SeveralMapsOfSeveralKindsMakeOneWorld)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder), world = (folder / "world").string();
+    const auto node = [](int id, double east, double north)
+    {
+        return "<node id='" + std::to_string(id) + "' lat='" + std::to_string(42.5 + north) + "' lon='" +
+               std::to_string(1.5 + east) + "'/>";
+    };
+    const auto way = [](int id, int from, int to, const char* name, const char* more, const char* lanes)
+    {
+        return "<way id='" + std::to_string(id) + "' " + more + "><nd ref='" + std::to_string(from) +
+               "'/><nd ref='" + std::to_string(to) +
+               "'/><tag k='highway' v='residential'/><tag k='name' v='" + name + "'/><tag k='lanes' v='" +
+               lanes + "'/></way>";
+    };
+    const auto josm = folder.write("josm.osm", "<osm version='0.6'>" + node(-1, 0, 0) + node(-2, 0.002, 0) +
+                                                   node(5, 0, 0.002) + node(6, 0.002, 0.002) +
+                                                   way(-3, -1, -2, "kept", "", "2;3") +
+                                                   way(-4, -1, 5, "gone", "action='delete'", "2") +
+                                                   way(7, 5, 6, "first", "", "many") + "</osm>");
+    const auto change =
+        folder.write("edit.osc", "<osmChange version='0.6'><modify>" + way(7, 5, 6, "changed", "", "2") +
+                                     "</modify></osmChange>");
+    const auto other = folder.write(
+        "more.geojson",
+        R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"building": "yes", "height":
+ "tall", "name": "house"}, "geometry": {"type": "Polygon", "coordinates": [[[1.5, 42.501], [1.5002, 42.501], [1.5002,
+ 42.5011], [1.5, 42.5011], [1.5, 42.501]]]}}]})");
+    // The raster stands last, behind the maps.
+    const ProgramRun run = runWorldTool(
+        {"build", "-o", world, "--map", josm.string(), other.string(), "--map", change.string(), ground});
+    ASSERT_TRUE(succeeds(run));
+    EXPECT_NE(run.errors.find("joined from 3 files"), std::string::npos) << run.errors;
+    EXPECT_NE(run.errors.find("passed over: height=tall 1"), std::string::npos) << run.errors;
+    EXPECT_NE(run.errors.find("approximated: lanes=2;3 1"), std::string::npos) << run.errors;
+    const auto read = osgRoads::core::readNetwork((folder / "world/roads.xodr").string());
+    ASSERT_TRUE(read);
+    std::vector<std::string> names;
+    for (const auto& road : read->network.roads)
+        names.push_back(road.name);
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (std::vector<std::string>{"changed", "kept"}));
+    EXPECT_EQ(filesOf(folder / "world").count("map.part.osm.pbf"), 0u);
+    EXPECT_EQ(
+        nlohmann::json::parse(testsupport::bytesOf(folder / "world/report.json"))["buildings"]["standing"],
+        1);
+    EXPECT_TRUE(
+        failsWith(runWorldTool({"build", "--map", josm.string(), "-o", world}), 2, "worldtool", {"DEM"}));
+}
+
 TEST(WorldTool, AMapWithoutStreetsMakesAWorldWithoutRoads)
 {
     const TestFolder folder("worldtool");

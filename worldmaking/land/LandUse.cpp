@@ -104,7 +104,8 @@ std::optional<Painted> paintedLine(const LandShape& shape, LandReport& report)
         if (const auto widthM = riverWidthM(shape)) made["width"] = std::to_string(*widthM);
         return Painted{GroundLayer::rivers, std::move(made)};
     }
-    if (const auto path = valueOf(tags, "highway"); isOneOf(path, kPaths) && !isSet(tags, "bridge"))
+    if (const auto path = valueOf(tags, "highway");
+        (isOneOf(path, kPaths) || isClosedStreet(tags)) && !isSet(tags, "bridge"))
     {
         ++report.ways;
         return Painted{GroundLayer::ways, withDetails(path, tags, {"width", "surface"})};

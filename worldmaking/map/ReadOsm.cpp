@@ -37,7 +37,7 @@ class WayHandler : public osmium::handler::Handler
 public:
     void way(const osmium::Way& way)
     {
-        if (!way.tags().has_key("highway")) return;
+        if (!way.visible() || !way.tags().has_key("highway")) return;
         RawWay raw{way.id(), {}, {}};
         for (const osmium::NodeRef& node : way.nodes())
             raw.nodeIds.push_back(node.ref());
@@ -48,6 +48,7 @@ public:
 
     void relation(const osmium::Relation& relation)
     {
+        if (!relation.visible()) return;
         const std::string_view kind = relation.tags().get_value_by_key("restriction", "");
         if (!kind.starts_with("no_") && !kind.starts_with("only_")) return;
         TurnRule rule{0, 0, 0, kind.starts_with("only_")};
@@ -75,7 +76,8 @@ public:
     {
         const auto found = std::lower_bound(_nodes.begin(), _nodes.end(), node.id(),
                                             [](const MapNode& a, std::int64_t id) { return a.id < id; });
-        if (found == _nodes.end() || found->id != node.id() || !node.location().valid()) return;
+        if (found == _nodes.end() || found->id != node.id() || !node.visible() || !node.location().valid())
+            return;
         found->latitudeDeg = node.location().lat();
         found->longitudeDeg = node.location().lon();
         isFound[static_cast<std::size_t>(found - _nodes.begin())] = 1;

@@ -49,17 +49,34 @@ const StreetClass* classOf(std::string_view kind)
     return found == kClasses.end() ? nullptr : &*found;
 }
 
+bool isLinkKind(std::string_view kind)
+{
+    return kind.ends_with("_link");
+}
+
+/// The class of a value of `highway`; a link has that of its road.
+const StreetClass* classOfWay(std::string_view kind)
+{
+    return classOf(isLinkKind(kind) ? kind.substr(0, kind.size() - 5) : kind);
+}
+
 bool isAmong(std::string_view value, std::initializer_list<std::string_view> words)
 {
     return std::find(words.begin(), words.end(), value) != words.end();
 }
 
+/// A street that is yet to come, or is no more; an area.
+bool isNoStreet(const Tags& tags)
+{
+    constexpr std::array<std::string_view, 7> kKeys{"proposed", "planned",    "abandoned", "disused",
+                                                    "area",     "demolished", "razed"};
+    return std::any_of(kKeys.begin(), kKeys.end(),
+                       [&](std::string_view key) { return valueOf(tags, key) == "yes"; });
+}
+
 bool isClosedToCars(const Tags& tags)
 {
-    if (valueOf(tags, "area") == "yes" || valueOf(tags, "smoothness") == "impassable") return true;
-    // A street that is yet to come, or is no more.
-    for (const std::string_view key : {"proposed", "planned", "abandoned", "disused", "demolished", "razed"})
-        if (valueOf(tags, key) == "yes") return true;
+    if (valueOf(tags, "smoothness") == "impassable") return true;
     // The most special key that says anything decides.
     for (const std::string_view key : {"motorcar", "motor_vehicle", "vehicle", "access"})
         if (const std::string_view value = valueOf(tags, key); !value.empty()) return value == "no";
@@ -169,12 +186,17 @@ bool StreetTraits::hasSameLanes(const StreetTraits& other) const
            hasCentreMark == other.hasCentreMark && hasEdgeMarks == other.hasEdgeMarks;
 }
 
+bool isClosedStreet(const Tags& tags)
+{
+    return classOfWay(valueOf(tags, "highway")) && !isNoStreet(tags) && isClosedToCars(tags);
+}
+
 std::optional<StreetTraits> traitsOf(const Tags& tags, TagCounts* approximated)
 {
     const std::string_view kind = valueOf(tags, "highway");
-    const bool isLink = kind.ends_with("_link");
-    const StreetClass* found = classOf(isLink ? kind.substr(0, kind.size() - 5) : kind);
-    if (!found || isClosedToCars(tags)) return std::nullopt;
+    const bool isLink = isLinkKind(kind);
+    const StreetClass* found = classOfWay(kind);
+    if (!found || isNoStreet(tags) || isClosedToCars(tags)) return std::nullopt;
     StreetTraits traits;
     traits.name = valueOf(tags, "name");
     if (traits.name.empty()) traits.name = valueOf(tags, "ref");

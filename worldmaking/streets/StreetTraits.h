@@ -61,4 +61,7 @@ struct StreetTraits
 /// mountainous country).
 std::optional<StreetTraits> traitsOf(const Tags& tags, TagCounts* approximated = nullptr);
 
+/// Whether a way is a street that is there, but not for cars.
+bool isClosedStreet(const Tags& tags);
+
 } // namespace worldmaking

@@ -3,12 +3,15 @@
 #include <map>
 #include <string>
 
+#include <cpl_conv.h>
 #include <gdal_utils.h>
 #include <gtest/gtest.h>
 
 #include "MadeMap.h"
 #include "TestFolder.h"
 #include "worldmaking/map/GdalScope.h"
+#include "worldmaking/map/JoinLand.h"
+#include "worldmaking/map/MapSources.h"
 #include "worldmaking/map/ReadLand.h"
 
 namespace
@@ -64,6 +67,23 @@ std::map<std::string, int> countsOf(const worldmaking::LandMap& map)
     return counts;
 }
 
+/// All maps of a folder or archive as one.
+worldmaking::LandMap wholeOf(const std::filesystem::path& given)
+{
+    worldmaking::LandMap whole;
+    const auto sources = worldmaking::mapSourcesOf({given});
+    EXPECT_TRUE(sources) << (sources ? "" : sources.error().message());
+    EXPECT_GT(sources->size(), 1u);
+    for (const auto& source : *sources)
+    {
+        EXPECT_FALSE(source.isOsm);
+        auto land = worldmaking::readLand(source.file);
+        EXPECT_TRUE(land) << (land ? "" : land.error().message());
+        worldmaking::joinLand(whole, std::move(*land));
+    }
+    return whole;
+}
+
 } // namespace
 
 TEST(Formats, AGeoPackageOfOgr2ogrHasWhatTheMapHad)
@@ -78,6 +98,29 @@ TEST(Formats, AGeoPackageOfOgr2ogrHasWhatTheMapHad)
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(countsOf(*read), countsOf(*known));
     EXPECT_EQ(worldmaking::streetsOf(*read).ways.size(), 2u);
+}
+
+TEST(Formats, AnArchiveOfManyShapefilesHasWhatTheFolderHad)
+{
+    const testsupport::TestFolder folder("formats");
+    const auto osm = folder.write("town.osm", smallTown().text());
+    const auto known = worldmaking::readLand(osm);
+    ASSERT_TRUE(known);
+    ASSERT_TRUE(convert(osm, folder / "town", "ESRI Shapefile"));
+    // A table without shapes lies beside them, as in extracts.
+    std::filesystem::copy_file(folder / "town/lines.dbf", folder / "town/table.dbf");
+    EXPECT_EQ(countsOf(wholeOf(folder / "town")), countsOf(*known));
+    EXPECT_EQ(worldmaking::streetsOf(wholeOf(folder / "town")).ways.size(), 2u);
+    void* const zip = CPLCreateZip((folder / "town.shp.zip").c_str(), nullptr);
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "town"))
+    {
+        const std::string bytes = testsupport::bytesOf(entry.path());
+        CPLCreateFileInZip(zip, ("shapes/" + entry.path().filename().string()).c_str(), nullptr);
+        CPLWriteFileInZip(zip, bytes.data(), static_cast<int>(bytes.size()));
+        CPLCloseFileInZip(zip);
+    }
+    CPLCloseZip(zip);
+    EXPECT_EQ(countsOf(wholeOf(folder / "town.shp.zip")), countsOf(*known));
 }
 
 TEST(Formats, AFolderOfShapefilesHasWhatTheMapHad)

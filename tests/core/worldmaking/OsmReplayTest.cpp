@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,21 @@ namespace
 /// Puts another value for an attribute, or cuts a piece out.
 void mutate(std::string& text, std::mt19937& random)
 {
-    static const std::vector<std::string> values = {
-        "0",      "-1",  "1e308",   "nan",      "42.5", "1.5", "90", "180", "9999", "",
-        "bridge", "yes", "highway", "motorway", "1",    "2",   "3",  "12",  "-12",  "only_straight_on"};
+    static const std::vector<std::string> values = {"0",          "-1",
+                                                    "1e308",      "nan",
+                                                    "42.5",       "1.5",
+                                                    "90",         "180",
+                                                    "9999",       "",
+                                                    "bridge",     "yes",
+                                                    "highway",    "motorway",
+                                                    "1",          "2",
+                                                    "3",          "12",
+                                                    "-12",        "only_straight_on",
+                                                    "delete",     "false",
+                                                    "reversible", "2;3",
+                                                    "72'",        "lanes:both_ways",
+                                                    "busway",     "opposite_lane",
+                                                    "DE:",        "~"};
     if (random() % 8 == 0)
     {
         text.erase(random() % text.size(), random() % 60);
@@ -36,12 +49,16 @@ TEST(OsmReplay, SeedsAndMutationsNeitherCrashNorHang)
 {
     std::mt19937 random(5);
     std::size_t readable = 0;
-    const std::string seed =
-        testsupport::bytesOf(std::string(OSGTRAINER_SOURCE_DIR) + "/tests/fuzz/corpus/village.osm");
-    ASSERT_TRUE(worldmaking::parseOsm(seed, "osm", "seed"));
-    for (int i = 0; i < 1000; ++i)
+    std::vector<std::string> seeds;
+    for (const char* name : {"village.osm", "josm.osm"})
     {
-        std::string text = seed;
+        seeds.push_back(
+            testsupport::bytesOf(std::string(OSGTRAINER_SOURCE_DIR) + "/tests/fuzz/corpus/" + name));
+        ASSERT_TRUE(worldmaking::parseOsm(seeds.back(), "osm", "seed")) << name;
+    }
+    for (std::size_t i = 0; i < 1000; ++i)
+    {
+        std::string text = seeds[i % seeds.size()];
         for (unsigned edit = 0; edit < 1 + static_cast<unsigned>(i % 4); ++edit)
             mutate(text, random);
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
