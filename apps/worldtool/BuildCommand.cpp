@@ -71,14 +71,14 @@ struct InputHeads
 /// Reads of the inputs what is read in no time, so that what is wrong with it is told before any work.
 foundation::Result<InputHeads> readHeads(const Request& request)
 {
-    if (const auto usable = osgTerrainROAM::core::checkDems(request.dems); !usable) return usable.error();
-    if (!request.landCover.empty())
-        if (const auto table = osgTerrainROAM::core::readCoverTable(request.landCoverClasses); !table)
-            return table.error();
     InputHeads listed;
     auto maps = worldmaking::mapSourcesOf(request.maps);
     if (!maps) return maps.error();
     listed.maps = std::move(*maps);
+    if (const auto usable = osgTerrainROAM::core::checkDems(request.dems); !usable) return usable.error();
+    if (!request.landCover.empty())
+        if (const auto table = osgTerrainROAM::core::readCoverTable(request.landCoverClasses); !table)
+            return table.error();
     if (request.runways.empty()) return listed;
     auto read = worldmaking::readRunways(request.runways, listed.unusable);
     if (!read) return read.error();

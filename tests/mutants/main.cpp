@@ -146,7 +146,7 @@ int main(int argc, char** argv)
     app.add_option("--first", request.first, "number of the first mutant (0)");
     app.add_option(
         "--kinds", request.kinds,
-        "only these kinds: obj, ac, glb, gltf, pm, dem, roam, scenery, view, xosc, xodr, osm, "
+        "only these kinds: obj, ac, glb, gltf, pm, dem, roam, scenery, view, xosc, xodr, osm, josm, osc, "
         "geojson, runways, aircraft, vehicle, tracks, inputs, keys, devices, polygons, mt, tin, points");
     app.add_flag("--control", request.isControl,
                  "run programs that crash, hang or eat memory, which must be found out");

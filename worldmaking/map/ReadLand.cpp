@@ -188,7 +188,8 @@ foundation::Result<LandMap> readLand(const std::filesystem::path& file, const Ma
 {
     std::error_code ignored;
     const bool isFolder = std::filesystem::is_directory(file, ignored); // of shapefiles
-    if (const auto readable = foundation::checkReadable(file); !isFolder && !readable)
+    const bool isOfGdal = file.string().starts_with("/vsi");            // in an archive
+    if (const auto readable = foundation::checkReadable(file); !isFolder && !isOfGdal && !readable)
         return readable.error();
     GdalScope errors;
     const std::string name = file.string();

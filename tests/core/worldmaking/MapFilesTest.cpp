@@ -232,6 +232,8 @@ TEST(MapFiles, PackedFilesFoldersAndArchivesAreRead)
                                    {"__MACOSX/._a.osm", "x"}});
     EXPECT_EQ(joinedOf(folder, {folder / "maps.zip"}).error, "");
     EXPECT_EQ(joinedOf(folder, {folder / "maps.zip"}).streets, (Names{"a", "b", "z"}));
+    folder.write("a.opl", "n1 x1.5 y42.5\nn2 x1.501 y42.5\nw1 Thighway=residential,name=o Nn1,n2\n");
+    EXPECT_EQ(joinedOf(folder, {folder / "a.opl"}).streets, (Names{"o"}));
     std::filesystem::create_directories(folder / "extracts/more");
     folder.write("extracts/plain.osm", kPlain);
     folder.write("extracts/notes.txt", "notes");
