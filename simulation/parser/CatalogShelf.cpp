@@ -78,7 +78,10 @@ void CatalogShelf::openFile(ParseContext& context, const std::filesystem::path& 
     foundation::Result<std::unique_ptr<XmlSource>> source =
         XmlSource::read(file, context.options.maximumBytes);
     if (source)
+    {
+        context.tellNote(**source);
         _sources.push_back(std::move(*source));
+    }
     else
         context.add({Problem::Kind::invalid, source.error()});
 }

@@ -113,6 +113,14 @@ void ParseContext::add(Problem problem)
     if (!isStopped() && problems.size() < kMaximumProblems) problems.push_back(std::move(problem));
 }
 
+void ParseContext::tellNote(const XmlSource& source)
+{
+    if (source.note().empty()) return;
+    add({Problem::Kind::assumed,
+         {source.name() + ":" + std::to_string(source.noteLine()), source.note(),
+          "name the encoding in the first line, or save it as UTF-8"}});
+}
+
 std::string ParseContext::place(pugi::xml_node node) const
 {
     return _source->name() + ":" + std::to_string(_source->lineOf(node));

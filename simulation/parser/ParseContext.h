@@ -44,6 +44,8 @@ public:
     void assumed(pugi::xml_node node, const std::string& what, const std::string& instead);
     void invalid(pugi::xml_node node, const std::string& what, const std::string& remedy);
     void add(Problem problem);
+    /// Reports what a text has that is not in its encoding.
+    void tellNote(const XmlSource& source);
 
     /// Notes that a parser asks for an element or an attribute; reportUnread() reports the others.
     void touch(pugi::xml_node node) { _touched.insert(node.internal_object()); }

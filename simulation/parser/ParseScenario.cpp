@@ -137,6 +137,7 @@ foundation::Result<ParsedScenario> parseSource(const XmlSource& source, CatalogS
                                  "there is no Storyboard: a catalogue or a distribution, not a scenario",
                                  "give the scenario's file"};
     ParseContext context(options, source, shelf);
+    context.tellNote(source);
     ParsedScenario parsed;
     parsed.scenario = parseRoot({context, source.root()});
     reportUnread(context, source.root());

@@ -3,17 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
+#include <cpl_vsi.h>
 #include <foundation/ReadableFile.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include "worldmaking/map/ConvertedXml.h"
 #include "worldmaking/map/GdalScope.h"
 
 namespace worldmaking
@@ -171,6 +175,26 @@ std::string openableName(const std::filesystem::path& file)
     return file.extension() == ".gz" ? "/vsigzip/" + file.string() : file.string();
 }
 
+/// A text that GDAL opens as a file, as long as this lives. The text must outlive it.
+class FileInMemory
+{
+public:
+    explicit FileInMemory(std::string& text)
+        : _name("/vsimem/converted-" + std::to_string(reinterpret_cast<std::uintptr_t>(&text)) + ".osm")
+    {
+        VSIFCloseL(
+            VSIFileFromMemBuffer(_name.c_str(), reinterpret_cast<GByte*>(text.data()), text.size(), FALSE));
+    }
+    ~FileInMemory() { VSIUnlink(_name.c_str()); }
+    FileInMemory(const FileInMemory&) = delete;
+    FileInMemory& operator=(const FileInMemory&) = delete;
+
+    const std::string& name() const { return _name; }
+
+private:
+    std::string _name;
+};
+
 bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
 {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -191,10 +215,15 @@ foundation::Result<LandMap> readLand(const std::filesystem::path& file, const Ma
     const bool isOfGdal = file.string().starts_with("/vsi");            // in an archive
     if (const auto readable = foundation::checkReadable(file); !isFolder && !isOfGdal && !readable)
         return readable.error();
+    auto converted = convertedXml(file);
+    if (!converted) return converted.error();
     GdalScope errors;
     const std::string name = file.string();
-    const DatasetPtr dataset(GDALDataset::Open(openableName(file).c_str(),
-                                               GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+    std::optional<FileInMemory> inMemory;
+    if (*converted) inMemory.emplace(**converted);
+    const std::string opened = inMemory ? inMemory->name() : openableName(file);
+    const DatasetPtr dataset(
+        GDALDataset::Open(opened.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
     if (errors.lacksMemory) return tooLarge(name);
     if (!dataset)
         return Error{name,

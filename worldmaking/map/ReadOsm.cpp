@@ -15,6 +15,8 @@
 #include <osmium/io/xml_input.hpp>
 #include <osmium/visitor.hpp>
 
+#include "worldmaking/map/ConvertedXml.h"
+
 namespace worldmaking
 {
 
@@ -193,6 +195,9 @@ foundation::Result<StreetMap> readOr(const std::string& name, const Open& open)
 foundation::Result<StreetMap> readOsm(const std::filesystem::path& file)
 {
     if (const auto readable = foundation::checkReadable(file); !readable) return readable.error();
+    const auto converted = convertedXml(file);
+    if (!converted) return converted.error();
+    if (*converted) return parseOsm(**converted, "osm", file.string());
     return readOr(file.string(), [&] { return osmium::io::File(file.string()); });
 }
 

@@ -34,8 +34,9 @@ public:
     static Result<std::unique_ptr<XmlSource>> read(const std::filesystem::path& file,
                                                    std::size_t maximumBytes);
 
-    /// UTF-16 and UTF-32 are converted. Errors, as `name:line`: malformed, no root element, nested deeper
-    /// than 64 elements; as `name`: nothing in it, compressed, not valid in its encoding.
+    /// The text may be in any encoding that its byte order mark or its declaration names (Utf8Text). Errors,
+    /// as `name:line`: malformed, no root element, nested deeper than 64 elements, not valid in its encoding,
+    /// an unknown one; as `name`: nothing in it, compressed.
     static Result<std::unique_ptr<XmlSource>> parse(std::string_view text, const std::string& name);
 
     pugi::xml_node root() const { return _document.document_element(); }
@@ -43,10 +44,15 @@ public:
     int lineOf(pugi::xml_node node) const;
     int lineAt(std::ptrdiff_t offset) const;
 
+    /// What the reader should tell of the text: bytes that are not in its encoding; empty: nothing.
+    const std::string& note() const { return _note; }
+    int noteLine() const { return _noteLine; }
+
 private:
     Outcome checkDepth() const;
 
-    std::string _name;
+    std::string _name, _note;
+    int _noteLine = 0;
     pugi::xml_document _document;
     std::vector<std::ptrdiff_t> _newlines; ///< offsets, ascending
 };
@@ -72,17 +78,19 @@ inline Result<std::unique_ptr<XmlSource>> XmlSource::read(const std::filesystem:
 
 inline Result<std::unique_ptr<XmlSource>> XmlSource::parse(std::string_view text, const std::string& name)
 {
-    if (const auto encoding = wideEncodingOf(text))
-    {
-        const auto converted = toUtf8(text, *encoding);
-        if (converted && !wideEncodingOf(*converted)) return parse(*converted, name);
-        return Error{name, std::string("not valid ") + *encoding, "save the file as UTF-8"};
-    }
     if (text.starts_with("\x1F\x8B")) return Error{name, "compressed by gzip", "unpack the file with gunzip"};
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         return Error{name, "there is nothing in the file", "write it again, or name another one"};
+    const Result<Utf8Text> read = Utf8Text::of(text, xmlEncodingOf(text), name);
+    if (!read) return read.error();
+    text = read->in(text);
     auto source = std::make_unique<XmlSource>();
     source->_name = name;
+    if (read->strayBytes() > 0)
+    {
+        source->_note = read->strayWords();
+        source->_noteLine = read->strayLine();
+    }
     for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
         source->_newlines.push_back(static_cast<std::ptrdiff_t>(at));
     const pugi::xml_parse_result parsed = source->_document.load_buffer(

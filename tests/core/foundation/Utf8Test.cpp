@@ -52,4 +52,34 @@ TEST(Utf8, BrokenOnesAreRefused)
     EXPECT_FALSE(foundation::toUtf8("<a/>", "no such encoding"));
 }
 
+TEST(Utf8, StrayBytesAreTakenAsWindows1252AndCounted)
+{
+    const std::string text = "a \xC3\xB6 b\n\xF6 \x80 \xE2\x82\xAC\xC3";
+    const auto read = foundation::Utf8Text::of(text, {}, "f");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->in(text), "a \xC3\xB6 b\n\xC3\xB6 \xE2\x82\xAC \xE2\x82\xAC\xC3\x83");
+    EXPECT_EQ(read->strayBytes(), 3u);
+    EXPECT_EQ(read->strayLine(), 2);
+    const std::string sound = "\xEF\xBB\xBF\xF0\x9F\x9A\x97";
+    EXPECT_EQ(foundation::Utf8Text::of(sound, "ISO-8859-1", "f")->in(sound), "\xF0\x9F\x9A\x97");
+    // No surrogates, nothing longer than it must be, nothing beyond Unicode.
+    for (const std::string bad : {"\xED\xA0\x80", "\xC0\xAF", "\xE0\x80\xAF", "\xF4\x90\x80\x80", "\xFF"})
+        EXPECT_EQ(foundation::utf8Length(bad, 0), 0u);
+}
+
+TEST(Utf8, ABeginningCutsNoCharacter)
+{
+    EXPECT_EQ(foundation::utf8Beginning("a\xE2\x82\xAC", 3), "a");
+    EXPECT_EQ(foundation::utf8Beginning("a\xE2\x82\xAC", 4), "a\xE2\x82\xAC");
+}
+
+TEST(Utf8, TheEncodingOfXmlIsThatOfItsDeclaration)
+{
+    EXPECT_EQ(foundation::xmlEncodingOf("<?xml version=\"1.0\" encoding='ISO-8859-15' ?><a/>"),
+              "ISO-8859-15");
+    EXPECT_EQ(foundation::xmlEncodingOf("<?xml version=\"1.0\"?><a encoding=\"x\"/>"), "");
+    EXPECT_EQ(foundation::xmlEncodingOf("<?xml encoding=\"UTF-8//IGNORE\"?>"), "");
+    EXPECT_EQ(foundation::xmlEncodingOf(""), "");
+}
+
 } // namespace

@@ -86,6 +86,9 @@ foundation::Result<ReadNetwork> readSource(const foundation::Result<Source>& rea
             "name an OpenDRIVE file"};
     ReadNetwork result;
     ReadContext context(source);
+    if (!source.note().empty())
+        context.mistake(source.noteLine(), source.note(),
+                        "name the encoding in the first line, or save it as UTF-8");
     NodeReader root(context, source.root());
     readRoot(root, result.network);
     if (result.network.header.revMajor != 1)
