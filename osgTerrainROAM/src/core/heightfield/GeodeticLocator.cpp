@@ -18,12 +18,6 @@ namespace
 using foundation::Error;
 using foundation::Result;
 
-/// A PROJ pipeline that adds the geoid undulation to a height. It fails when the geoid grid is missing; a
-/// transformation between named systems would not.
-constexpr const char* kGeoidPipeline = "+proj=pipeline +step +proj=unitconvert +xy_in=deg +xy_out=rad"
-                                       " +step +proj=vgridshift +grids=egm96_15.gtx +multiplier=1"
-                                       " +step +proj=unitconvert +xy_in=rad +xy_out=deg";
-
 bool namesEllipsoid(const char* text)
 {
     if (!text) return false;
@@ -68,13 +62,8 @@ Result<GeodeticLocator> GeodeticLocator::create(const std::string& name, const R
                      "reproject it with gdalwarp -t_srs EPSG:4326"};
     if (ellipsoidal) return locator;
 
-    const OGRCoordinateTransformationOptionsH options = OCTNewCoordinateTransformationOptions();
-    OCTCoordinateTransformationOptionsSetOperation(options, kGeoidPipeline, FALSE);
-    locator._geoid.reset(OCTNewCoordinateTransformationEx(nullptr, nullptr, options));
-    OCTDestroyCoordinateTransformationOptions(options);
-    GeodeticNet::Node probe{0.0, 0.0, 0.0};
-    if (locator._geoid) locator.addGeoid({&probe, 1});
-    if (!locator._geoid || !std::isfinite(probe.geoidM))
+    locator._geoid = foundation::Geoid::open();
+    if (!locator._geoid)
         return Error{name, "has heights above EGM96, whose grid egm96_15.gtx PROJ does not find",
                      "install Debian's proj-data, or say that the heights are ellipsoidal"};
     return locator;
@@ -104,16 +93,15 @@ void GeodeticLocator::locate(std::span<const glm::dvec2> grid, std::span<Geodeti
 
 void GeodeticLocator::addGeoid(std::span<GeodeticNet::Node> nodes) const
 {
-    std::vector<double> x(nodes.size()), y(nodes.size()), z(nodes.size(), 0.0);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
+    std::vector<double> latitudes, longitudes, heights(nodes.size());
+    for (const GeodeticNet::Node& node : nodes)
     {
-        x[i] = std::remainder(nodes[i].longitudeDeg, 360.0);
-        y[i] = nodes[i].latitudeDeg;
+        latitudes.push_back(node.latitudeDeg);
+        longitudes.push_back(node.longitudeDeg);
     }
-    std::vector<int> good(nodes.size(), FALSE);
-    OCTTransformEx(_geoid.get(), static_cast<int>(nodes.size()), x.data(), y.data(), z.data(), good.data());
+    _geoid->heights(latitudes, longitudes, heights);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        nodes[i].geoidM = good[i] && std::isfinite(z[i]) ? z[i] : std::numeric_limits<double>::quiet_NaN();
+        nodes[i].geoidM = heights[i];
 }
 
 } // namespace osgTerrainROAM::core

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
+#include <foundation/Geoid.h>
 #include <foundation/Result.h>
 #include <glm/glm.hpp>
 
@@ -41,7 +43,7 @@ private:
     GridFrame _frame{};
     bool _inDegrees = false; ///< then latitudes beyond a pole continue on the opposite meridian
     CoordinateTransform _toWgs84;
-    CoordinateTransform _geoid; ///< null: heights are ellipsoidal
+    std::optional<foundation::Geoid> _geoid; ///< absent: heights are ellipsoidal
 };
 
 } // namespace osgTerrainROAM::core
