@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <foundation/Angle.h>
+#include <foundation/CsvCells.h>
 
 namespace simulation
 {
@@ -77,12 +78,12 @@ void MotionLog::writeHeader(const std::string& scenarioName, std::size_t count)
 void MotionLog::add(double timeS, const std::vector<EntityState>& entities)
 {
     const double stepS = timeS - _lastTimeS;
-    _stream << _row << ", ";
+    _text = std::to_string(_row) + ", ";
     cell(timeS);
     for (std::size_t i = 0; i < entities.size() && i < _boxes.size(); ++i)
         if (entities[i].isPresent)
             writeEntity(entities[i], _boxes[i], i, stepS); // others have no columns, as in esmini
-    _stream << '\n';
+    _stream << _text << '\n';
     _lastTimeS = timeS;
     ++_row;
 }
@@ -97,7 +98,9 @@ void MotionLog::writeEntity(const EntityState& state, const BoundingBox& box, st
     // The lane is the one under the entity, as in esmini.
     const RoadPlace place = state.laneUnder.value_or(state.place.value_or(RoadPlace{}));
     const double towards = place.lane > 0 ? std::numbers::pi : 0.0;
-    _stream << state.name << ", " << index << ", ";
+    // A quote counts at the begin of a cell only, so no blank may stand before it.
+    if (foundation::needsCsvQuotes(state.name)) _text.pop_back();
+    _text += foundation::csvCell(state.name) + ", " + std::to_string(index) + ", ";
     for (const double value : {state.speedMps,
                                foundation::radiansOf(state.steeringDeg),
                                turned(foundation::radiansOf(state.wheelRotationDeg)),
@@ -119,14 +122,14 @@ void MotionLog::writeEntity(const EntityState& state, const BoundingBox& box, st
                                place.s,
                                place.t})
         cell(value);
-    _stream << place.lane << ", ";
+    _text += std::to_string(place.lane) + ", ";
     for (const double value :
          {place.laneOffsetM, turned(heading), hasRate ? turn / stepS : 0.0, turned(place.relativeHeadingRad),
           turned(place.relativeHeadingRad - towards), foundation::radiansOf(state.pitchDeg), place.curvature})
         cell(value);
     for (const int other : state.collidesWith)
-        _stream << other << ' ';
-    _stream << ", ";
+        _text += std::to_string(other) + " ";
+    _text += ", ";
     last = {state.velocity, heading};
 }
 
@@ -134,7 +137,7 @@ void MotionLog::cell(double value)
 {
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), "%.6f, ", value);
-    _stream << text.data();
+    _text += text.data();
 }
 
 foundation::Outcome MotionLog::finish()

@@ -16,8 +16,9 @@ namespace simulation
 {
 
 /// Writes what the entities of a play do as a table of text: the columns of esmini's --csv_logger, one row
-/// for each step. Accelerations and the heading rate are differences between rows. The angle of the wheels is
-/// in radians, as esmini has it (its header says degrees).
+/// for each step; a name with a comma or a quote in it stands between quotes. Accelerations and the heading
+/// rate are differences between rows. The angle of the wheels is in radians, as esmini has it (its header
+/// says degrees).
 class MotionLog
 {
 public:
@@ -42,6 +43,7 @@ private:
 
     foundation::WholeFile _file;
     std::ofstream _stream;
+    std::string _text; ///< of the row that is being written
     std::vector<BoundingBox> _boxes;
     std::vector<Last> _last;
     double _lastTimeS = 0.0;

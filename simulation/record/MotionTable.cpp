@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
+#include <string_view>
 
+#include <foundation/CsvCells.h>
+#include <foundation/Utf8.h>
 #include <zlib.h>
 
 #include "simulation/parser/Expression.h"
@@ -36,19 +38,6 @@ foundation::Result<std::string> inflated(const std::filesystem::path& file)
     return text;
 }
 
-std::vector<std::string> cellsOf(const std::string& line)
-{
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');)
-    {
-        const std::size_t begin = cell.find_first_not_of(" \t\r");
-        const std::size_t end = cell.find_last_not_of(" \t\r");
-        cells.push_back(begin == std::string::npos ? "" : cell.substr(begin, end - begin + 1));
-    }
-    return cells;
-}
-
 /// The columns of one entity, counted from its name.
 struct Layout
 {
@@ -63,16 +52,23 @@ class Reader
 public:
     explicit Reader(const std::string& name) : _name(name) {}
 
-    foundation::Result<MotionTable> run(const std::string& text)
+    foundation::Result<MotionTable> run(std::string_view text)
     {
-        std::istringstream stream(text);
-        for (std::string line; std::getline(stream, line) && !_error;)
+        const auto read = foundation::Utf8Text::of(text, {}, _name);
+        if (!read) return read.error();
+        text = read->in(text);
+        while (!text.empty() && !_error)
         {
-            ++_line;
-            if (_layout.width > 0)
-                row(cellsOf(line));
-            else if (line.starts_with("Index"))
-                header(cellsOf(line));
+            const bool isHeader = text.starts_with("Index");
+            if (_layout.width == 0 && !isHeader) // lines of text
+            {
+                text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+                ++_line;
+                continue;
+            }
+            const foundation::CsvRecord record = foundation::takeCsvRecord(text, ',');
+            isHeader ? header(record.cells) : row(record.cells);
+            _line += record.lines;
         }
         if (_error) return *_error;
         if (_layout.width == 0)
@@ -159,7 +155,7 @@ private:
     }
 
     const std::string& _name;
-    int _line = 0;
+    int _line = 1;
     Layout _layout;
     MotionTable _table;
     std::optional<foundation::Error> _error;
