@@ -37,6 +37,9 @@ LaneOffsetAction parseLaneOffset(ElementReader reader)
         ElementReader dynamics(reader.context, node);
         action.shape = dynamics.choice("dynamicsShape", kDynamicsShapes);
         action.maxLateralAccelerationMps2 = dynamics.optionalBound("maxLateralAcc");
+        if (action.maxLateralAccelerationMps2 == 0.0)
+            reader.context.assumed(node, "maxLateralAcc is 0, with which nothing moves sideways",
+                                   "the entity keeps its offset; write a number above 0");
     }
     else
         reader.context.assumed(reader.node, "LaneOffsetAction has no element LaneOffsetActionDynamics",

@@ -20,6 +20,8 @@ std::unique_ptr<RunningAction> startAction(const LaneOffsetAction& action, Actio
         if (other < 0 || !scene.motion(other).state().place) return nullptr;
         offset += scene.motion(other).state().place->laneOffsetM;
     }
+    const bool mayMove = action.maxLateralAccelerationMps2 != 0.0; // else it stays where it is
+    if (!mayMove) offset = place.laneOffsetM;
     const double bend = greatestBend(action.shape) * std::fabs(offset - place.laneOffsetM);
     const double most = std::fabs(action.maxLateralAccelerationMps2.value_or(0.0));
     const double duration = most > 0.0 ? std::sqrt(bend / most) : 0.0;

@@ -219,6 +219,37 @@ TEST(Slips, AnOffsetWithoutDynamicsIsThereAtOnce)
     EXPECT_NEAR(roadplay::played(text, 1.1)->entities()[0].position.y, -1.25, 1e-9);
 }
 
+TEST(Slips, AnOffsetWithoutSideAccelerationIsToldAndNotMade)
+{
+    const auto textWith = [](const char* most, const char* shape)
+    {
+        ScenarioText text = soundText();
+        text.stories = story(event(
+            "go",
+            std::string("<PrivateAction><LateralAction><LaneOffsetAction continuous=\"false\"><LaneOffsetActionDynamics "
+                        "dynamicsShape=\"") +
+                shape + "\" maxLateralAcc=\"" + most +
+                "\"/><LaneOffsetTarget><AbsoluteTargetLaneOffset value=\"0.5\"/></LaneOffsetTarget></LaneOffsetAction>"
+                "</LateralAction></PrivateAction>",
+            timeCondition(1.0)));
+        return text;
+    };
+    for (const char* const shape : {"cubic", "linear", "sinusoidal", "step"})
+        for (const char* const zero : {"0", "0.0", "-0"})
+        {
+            const ScenarioText text = textWith(zero, shape);
+            ASSERT_EQ(slipsIn(text.text()).size(), 1u) << zero << shape;
+            EXPECT_EQ(slipsIn(text.text())[0].kind, Problem::Kind::assumed);
+            EXPECT_NEAR(roadplay::played(text, 3.0)->entities()[0].position.y, -1.75, 1e-9) << zero << shape;
+        }
+    for (const char* const most : {"1000000", "INF", "1e300", "1.7e308"})
+    {
+        const ScenarioText text = textWith(most, "cubic");
+        EXPECT_TRUE(slipsIn(text.text()).empty()) << most;
+        EXPECT_NEAR(roadplay::played(text, 3.0)->entities()[0].position.y, -1.25, 1e-9) << most;
+    }
+}
+
 TEST(Slips, ATimingWithoutAnyTimeIsNone)
 {
     const std::string far = "<WorldPosition x=\"50\" y=\"0\"/>", start = "<WorldPosition x=\"0\" y=\"0\"/>";
