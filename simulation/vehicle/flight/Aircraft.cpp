@@ -188,7 +188,7 @@ void Aircraft::stepMotion(const MassProperties& mass, const FlightLoads& loads,
     }
 }
 
-/// Breaks what is pressed too fast, and notices whether anything stands on the ground.
+/// Breaks what is pressed too fast, and notices whether a wheel stands on the ground, or any part of a wreck.
 void Aircraft::judgeContacts()
 {
     const std::span<const Contact> contacts = _contacts.contacts();
@@ -196,7 +196,7 @@ void Aircraft::judgeContacts()
     {
         if (contacts[i].depthM <= 0.0) continue;
         const ContactData& data = _data->contacts[i];
-        _isOnGround = _isOnGround || data.isWheel;
+        _isOnGround = _isOnGround || data.isWheel || _status.condition == VehicleCondition::crashed;
         if (contacts[i].ground.kind == GroundKind::water)
             crash("it came down on water");
         else if (contacts[i].closingMps > data.strongestMps)

@@ -130,9 +130,14 @@ void JsbsimVehicle::take(const Ground& /*ground*/)
     judgeContacts();
 }
 
-/// Notices whether more than wheels touches the ground fast, and water.
+/// Notices whether more than wheels touches the ground fast, and water. A wreck lies on the ground by any
+/// part.
 void JsbsimVehicle::judgeContacts()
 {
+    if (_status.condition == VehicleCondition::crashed && _below.isKnown)
+        for (const Foot& foot : _feet)
+            if ((_state.position + _state.bodyToScene * foot.place).z < _below.heightM + kTouchM)
+                _state.isOnGround = true;
     if (_status.condition != VehicleCondition::sound || !_below.isKnown) return;
     if (_state.isOnGround && _below.kind == GroundKind::water)
         _status = {VehicleCondition::crashed, "it came down on water"};

@@ -139,6 +139,25 @@ TEST(AircraftGroundTest, ADiveEndsAsWreckage)
     EXPECT_LT(std::abs(aircraft.state().position.z), 5.0);
 }
 
+/// Whatever a wreck lies on, it is on the ground: the wings, the nose, the roof.
+TEST(AircraftGroundTest, AWreckLiesOnTheGround)
+{
+    for (const double rollDeg : {0.0, 60.0, 120.0, 180.0, -90.0})
+        for (const double downMps : {20.0, 60.0})
+        {
+            Aircraft aircraft = testsupport::standing();
+            FlightState state = aircraft.flightState();
+            state.motion.position.z = 60.0;
+            state.motion.velocity = {0.0, 40.0, -downMps};
+            state.motion.attitude = state.motion.attitude *
+                                    glm::angleAxis(foundation::radiansOf(rollDeg), glm::dvec3(1.0, 0.0, 0.0));
+            aircraft.place(state);
+            stepFor(aircraft, LevelGround(), 30.0);
+            ASSERT_EQ(aircraft.status().condition, VehicleCondition::crashed) << rollDeg << " " << downMps;
+            EXPECT_TRUE(aircraft.state().isOnGround) << rollDeg << " " << downMps;
+        }
+}
+
 TEST(AircraftGroundTest, AStartInsideAHillIsACrashAndNoExplosion)
 {
     Aircraft aircraft = testsupport::standing(-500.0);
