@@ -13,7 +13,7 @@ enum class HeightDatum
 {
     ellipsoid,    ///< WGS84
     meanSeaLevel, ///< the geoid, up to 107 m from the ellipsoid
-    pressure,     ///< the standard atmosphere: off by the weather of the day
+    pressure,     ///< the standard atmosphere over mean sea level: off by the weather of the day
     ground,
 };
 
@@ -48,6 +48,8 @@ struct TrackFix
     std::optional<double> heightM;
     int line = 0; ///< of the file
     std::optional<TrackAttitude> attitude{};
+    std::optional<HeightDatum> datum{}; ///< of this height; absent: that of the track
+    std::optional<double> geoidM{};     ///< mean sea level above the ellipsoid here, as the file has it
 };
 
 /// A flight, a drive or a walk that somebody recorded.
@@ -59,10 +61,11 @@ struct FlightTrack
     HeightDatum datum = HeightDatum::meanSeaLevel;
     bool hasTimes = true; ///< no: all are 0
     TrackKind kind = TrackKind::unknown;
-    std::optional<double> endS{}; ///< when it was taken out of the recording, on the clock of the fixes
+    std::optional<double> endS{};   ///< when it was taken out of the recording, on the clock of the fixes
+    std::optional<double> geoidM{}; ///< mean of what countFromEllipsoid() has added to the heights
 };
 
-/// A record that is passed over, or read otherwise than it is written.
+/// A record that is passed over, or one of the notes.
 struct TrackProblem
 {
     int line = 0;
@@ -73,7 +76,8 @@ struct TrackReading
 {
     std::vector<FlightTrack> tracks; ///< in the file's order
     std::vector<TrackProblem> problems;
-    std::size_t problemCount = 0; ///< with those beyond the thousand that are kept
+    std::size_t problemCount = 0;    ///< with those beyond the thousand that are kept
+    std::vector<TrackProblem> notes; ///< what is in effect, but otherwise than it is written
 };
 
 } // namespace simulation

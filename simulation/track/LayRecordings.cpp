@@ -6,6 +6,8 @@
 
 #include "simulation/track/ReadTrack.h"
 #include "simulation/track/TrackClearance.h"
+#include "simulation/track/TrackGaps.h"
+#include "simulation/track/TrackGeoid.h"
 #include "simulation/track/TrackTrajectory.h"
 
 namespace simulation
@@ -45,6 +47,9 @@ private:
         if (reading->problemCount > 0)
             _notes.push_back(recording.file + ": " + std::to_string(reading->problemCount) +
                              " damaged records are passed over");
+        for (const TrackProblem& note : reading->notes)
+            _notes.push_back(recording.file + ":" + std::to_string(note.line) + ": " + note.what);
+        if (auto note = countFromEllipsoid(reading->tracks)) _notes.push_back(std::move(*note));
         FlightTrack* const track = trackOf(*reading, recording.track);
         if (!track)
             return Error{recording.file, "there is no track '" + recording.track + "'",
@@ -86,6 +91,7 @@ private:
 
     foundation::Outcome fill(FollowTrajectoryAction& follow, FlightTrack& track, bool isAirborne)
     {
+        if (const auto gaps = gapsOf(track)) _notes.push_back(track.name + ": " + *gaps);
         const bool hasGround = _place.frame && _place.frame->frame() && _place.frame->hasGround();
         if (hasGround && isAirborne)
             _notes.push_back(track.name + ": " + fitToGround(track, groundHeightOf(*_place.frame)).message());

@@ -71,9 +71,10 @@ class AcmiReader
 public:
     explicit AcmiReader(const std::string& name) : _builder(name), _name(name) {}
 
-    foundation::Result<TrackReading> run(std::string_view text)
+    foundation::Result<TrackReading> run(const foundation::Utf8Text& read, std::string_view text)
     {
-        if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+        _builder.note(read);
+        text = read.in(text);
         if (trimmed(text).empty()) return foundation::Error{_name, "is empty", "record the flight again"};
         int line = 1;
         while (!text.empty())
@@ -227,7 +228,9 @@ private:
 
 foundation::Result<TrackReading> parseAcmi(std::string_view text, const std::string& name)
 {
-    return AcmiReader(name).run(text);
+    const auto read = foundation::Utf8Text::of(text, {}, name);
+    if (!read) return read.error();
+    return AcmiReader(name).run(*read, text);
 }
 
 } // namespace simulation

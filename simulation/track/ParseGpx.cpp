@@ -3,6 +3,7 @@
 
 #include "simulation/parser/Expression.h"
 #include "simulation/track/ReadTrack.h"
+#include "simulation/track/TimeText.h"
 #include "simulation/track/TrackBuilder.h"
 #include "simulation/track/XmlNames.h"
 
@@ -23,6 +24,7 @@ public:
     void take(pugi::xml_node parent, std::string_view element)
     {
         if (_track.fixes.empty()) _track.hasTimes = timesDiffer(parent, element);
+        _builder.beginPart();
         for (pugi::xml_node node : parent.children())
             if (plainName(node) == element) take(node);
     }
@@ -53,7 +55,8 @@ private:
         const int line = _source.lineOf(node);
         const auto latitude = parseNumber(node.attribute("lat").value());
         const auto longitude = parseNumber(node.attribute("lon").value());
-        const auto time = unixSeconds(textOf(node, "time"));
+        const std::string_view timeText = textOf(node, "time");
+        const auto time = unixSeconds(timeText);
         if (!latitude || !longitude)
         {
             _builder.problem(line, "a point without lat and lon");
@@ -61,13 +64,16 @@ private:
         }
         if (_track.hasTimes && !time)
         {
-            _builder.problem(line, "a point without time in a track that has them");
+            _builder.problem(line, timeText.empty() ? "a point without time in a track that has them"
+                                                    : "the time cannot be read");
             return;
         }
         const std::string_view height = textOf(node, "ele");
         const auto heightM = parseNumber(height);
         if (!height.empty() && !heightM) _builder.problem(line, "the height is no number");
-        _builder.add(_track, {_track.hasTimes ? *time : 0.0, *latitude, *longitude, heightM, line});
+        TrackFix fix{_track.hasTimes ? *time : 0.0, *latitude, *longitude, heightM, line};
+        fix.geoidM = parseNumber(textOf(node, "geoidheight"));
+        _builder.add(_track, fix);
     }
 
     TrackBuilder& _builder;
@@ -79,9 +85,10 @@ private:
 
 foundation::Result<TrackReading> parseGpx(std::string_view text, const std::string& name)
 {
-    const auto source = foundation::XmlSource::parse(withoutMark(text), name);
+    const auto source = foundation::XmlSource::parse(text, name);
     if (!source) return source.error();
     TrackBuilder builder(name);
+    tellNote(builder, **source);
     for (pugi::xml_node node : (*source)->root().children())
     {
         const bool isTrack = plainName(node) == "trk";

@@ -5,6 +5,7 @@
 #include "simulation/environment/DateTime.h"
 #include "simulation/track/ReadTrack.h"
 #include "simulation/track/TrackBuilder.h"
+#include "simulation/track/TrackTimes.h"
 
 namespace simulation
 {
@@ -12,7 +13,6 @@ namespace
 {
 
 constexpr std::size_t kFixLength = 35;
-constexpr double kDayS = 86400.0;
 
 /// A whole number of so many digits, the first of which may be a minus.
 std::optional<int> digits(std::string_view text)
@@ -52,8 +52,10 @@ class IgcReader
 public:
     explicit IgcReader(const std::string& name) : _builder(name), _name(name) {}
 
-    foundation::Result<TrackReading> run(std::string_view text)
+    foundation::Result<TrackReading> run(const foundation::Utf8Text& read, std::string_view text)
     {
+        _builder.note(read);
+        text = read.in(text);
         for (int line = 1; !text.empty(); ++line)
         {
             const std::string_view record = takeLine(text);
@@ -70,9 +72,9 @@ private:
     void header(std::string_view record, int line)
     {
         if (record.substr(1).starts_with("FDTE")) date(record, line);
-        if (record.find("ALG:GEO") != std::string_view::npos) _isGeoid = true;
+        if (record.find("ALG") == 2 && record.find(":GEO") != std::string_view::npos) _isGeoid = true;
         if (record.find("DTM") == 2 && record.find("84") == std::string_view::npos)
-            _builder.problem(line, "a datum other than WGS84 is taken as WGS84");
+            _builder.note(line, "a datum other than WGS84 is taken as WGS84");
     }
 
     /// HFDTE and HFDTEDATE: with or without a colon.
@@ -121,12 +123,7 @@ private:
             _builder.problem(line, std::string("a B record whose ") + wrong + " cannot be read");
             return;
         }
-        double timeS = _dayS + *hours * 3600.0 + *minutes * 60.0 + *seconds;
-        if (!_fixes.empty() && timeS < _fixes.back().fix.timeS - 0.5 * kDayS)
-        {
-            _dayS += kDayS; // past midnight
-            timeS += kDayS;
-        }
+        const double timeS = *hours * 3600.0 + *minutes * 60.0 + *seconds;
         _fixes.push_back({{timeS, *latitude, *longitude, {}, line},
                           static_cast<double>(*pressure),
                           static_cast<double>(*satellite),
@@ -150,11 +147,18 @@ private:
                 above = fix.satelliteM - fix.pressureM;
                 break;
             }
+        std::vector<TrackFix> fixes;
         for (Fix& fix : _fixes)
         {
             if (fix.hasSatelliteHeight) above = fix.satelliteM - fix.pressureM;
             fix.fix.heightM = bySatellite ? fix.pressureM + above : fix.pressureM;
-            _builder.add(track, fix.fix);
+            fixes.push_back(fix.fix);
+        }
+        addDays(fixes);
+        for (TrackFix& fix : fixes)
+        {
+            fix.timeS += _dayS;
+            _builder.add(track, fix);
         }
     }
 
@@ -169,7 +173,9 @@ private:
 
 foundation::Result<TrackReading> parseIgc(std::string_view text, const std::string& name)
 {
-    return IgcReader(name).run(text);
+    const auto read = foundation::Utf8Text::of(text, {}, name);
+    if (!read) return read.error();
+    return IgcReader(name).run(*read, text);
 }
 
 } // namespace simulation

@@ -7,6 +7,7 @@
 
 #include "simulation/parser/Expression.h"
 #include "simulation/track/ReadTrack.h"
+#include "simulation/track/TimeText.h"
 #include "simulation/track/TrackBuilder.h"
 #include "simulation/track/XmlNames.h"
 
@@ -22,11 +23,12 @@ class KmlReader
 public:
     KmlReader(const foundation::XmlSource& source, const std::string& name) : _source(source), _builder(name)
     {
+        tellNote(_builder, source);
     }
 
     foundation::Result<TrackReading> run()
     {
-        takeTracks(_source.root(), nullptr, "");
+        takeTracks(_source.root(), nullptr, {});
         if (!_hasFixes) takePoints(_source.root());
         if (!_hasFixes) takeLines(_source.root(), "");
         return _builder.finish();
@@ -38,42 +40,99 @@ private:
         return mode == "absolute" ? HeightDatum::meanSeaLevel : HeightDatum::ground;
     }
 
-    /// Finds each Track; those of one MultiTrack are one object's. At most 64 deep.
-    void takeTracks(pugi::xml_node node, FlightTrack* joined, std::string_view name)
+    /// What holds for the tracks below an element.
+    struct Above
     {
-        if (plainName(node) == "Placemark") name = textOf(node, "name");
+        std::string_view name, mode;
+    };
+
+    /// The mode of an element, or of the one around it. Above the floor of the sea is above the ground: the
+    /// terrain has no water in it.
+    std::string_view modeOf(pugi::xml_node node, std::string_view outer)
+    {
+        std::string_view mode = textOf(node, "altitudeMode");
+        if (mode.empty()) mode = outer;
+        if (mode == "relativeToSeaFloor")
+            _builder.note(_source.lineOf(node),
+                          "heights above the floor of the sea are taken as above the ground");
+        return mode;
+    }
+
+    /// Finds each Track; those of one MultiTrack are one object's. At most 64 deep.
+    void takeTracks(pugi::xml_node node, FlightTrack* joined, Above above)
+    {
+        if (plainName(node) == "Placemark") above.name = textOf(node, "name");
         for (pugi::xml_node child : node.children())
         {
             if (plainName(child) == "MultiTrack" && !joined)
             {
-                FlightTrack& track = _builder.begin(std::string(name), HeightDatum::ground);
-                takeTracks(child, &track, name);
+                FlightTrack& track = _builder.begin(std::string(above.name), HeightDatum::ground);
+                takeTracks(child, &track, {above.name, textOf(child, "altitudeMode")});
             }
             else if (plainName(child) == "Track")
-                takeTrack(child, joined, name);
+                takeTrack(child, joined, above);
             else
-                takeTracks(child, joined, name);
+                takeTracks(child, joined, above);
         }
     }
 
-    /// As many `when` as `coord`.
-    void takeTrack(pugi::xml_node node, FlightTrack* joined, std::string_view name)
+    /// As many `when` as `coord`: all of the one before all of the other, or by turns, where each is the
+    /// neighbour's; what lacks its partner is told.
+    void takeTrack(pugi::xml_node node, FlightTrack* joined, const Above& above)
     {
-        const std::string_view mode = textOf(node, "altitudeMode");
-        FlightTrack& track = joined ? *joined : _builder.begin(std::string(name), datumOf(mode));
+        const std::string_view mode = modeOf(node, above.mode);
+        FlightTrack& track = joined ? *joined : _builder.begin(std::string(above.name), datumOf(mode));
         if (track.fixes.empty()) track.datum = datumOf(mode);
+        _builder.beginPart();
         std::vector<pugi::xml_node> times, places;
+        pugi::xml_node first;
+        bool isByTurns = false;
         for (pugi::xml_node child : node.children())
         {
-            if (plainName(child) == "when") times.push_back(child);
-            if (plainName(child) == "coord") places.push_back(child);
+            const bool isTime = isWhen(child);
+            if (!isTime && plainName(child) != "coord") continue;
+            (isTime ? times : places).push_back(child);
+            first = first ? first : child;
+            isByTurns = isByTurns || (isTime == isWhen(first) && !(isTime ? places : times).empty());
         }
+        if (isByTurns) return takeByTurns(track, first, mode);
         for (std::size_t i = 0; i < std::min(times.size(), places.size()); ++i)
             take(track, times[i], places[i], places[i].text().get(), mode);
-        if (places.size() > times.size())
-            _builder.problem(_source.lineOf(places[times.size()]), "a gx:coord without a when");
-        if (times.size() > places.size())
-            _builder.problem(_source.lineOf(times[places.size()]), "a when without a gx:coord");
+        for (std::size_t i = times.size(); i < places.size(); ++i)
+            lacksWhen(places[i]);
+        for (std::size_t i = places.size(); i < times.size(); ++i)
+            lacksCoord(times[i]);
+    }
+
+    /// `leader`: the first of them; its kind comes first in each pair.
+    void takeByTurns(FlightTrack& track, pugi::xml_node leader, std::string_view mode)
+    {
+        pugi::xml_node waiting; // for its partner
+        const auto tell = [&](pugi::xml_node alone) { isWhen(alone) ? lacksCoord(alone) : lacksWhen(alone); };
+        for (pugi::xml_node child = leader; child; child = child.next_sibling())
+        {
+            if (!isWhen(child) && plainName(child) != "coord") continue;
+            const bool leads = isWhen(child) == isWhen(leader);
+            if (!leads && waiting)
+            {
+                const pugi::xml_node place = isWhen(child) ? waiting : child;
+                take(track, isWhen(child) ? child : waiting, place, place.text().get(), mode);
+            }
+            else if (!leads || waiting)
+                tell(leads ? waiting : child);
+            waiting = leads ? child : pugi::xml_node();
+        }
+        if (waiting) tell(waiting);
+    }
+
+    static bool isWhen(pugi::xml_node node) { return plainName(node) == "when"; }
+    void lacksWhen(pugi::xml_node place)
+    {
+        _builder.problem(_source.lineOf(place), "a gx:coord without a when");
+    }
+    void lacksCoord(pugi::xml_node when)
+    {
+        _builder.problem(_source.lineOf(when), "a when without a gx:coord");
     }
 
     /// Finds points that have a time each: those side by side are one object's.
@@ -89,7 +148,7 @@ private:
         }
         if (points.size() > 1)
         {
-            const std::string_view mode = textOf(points.begin()->second.second, "altitudeMode");
+            const std::string_view mode = modeOf(points.begin()->second.second, {});
             FlightTrack& track = _builder.begin(std::string(textOf(node, "name")), datumOf(mode));
             for (const auto& [time, mark] : points)
                 take(track, mark.first, mark.second, textOf(mark.second, "coordinates"), mode);
@@ -109,7 +168,7 @@ private:
                 takeLines(child, name);
                 continue;
             }
-            const std::string_view mode = textOf(child, "altitudeMode");
+            const std::string_view mode = modeOf(child, {});
             FlightTrack& track = _builder.begin(std::string(name), datumOf(mode));
             track.hasTimes = false;
             std::string_view text = textOf(child, "coordinates");
@@ -137,11 +196,14 @@ private:
         }
         const auto time = when ? unixSeconds(when.text().get()) : std::optional(0.0);
         if (!time) return _builder.problem(_source.lineOf(when), "the time cannot be read");
+        if (text.empty() && numbers.empty()) return _builder.problem(line, "a fix without a position");
         if (numbers.size() < 2 || !numbers[0] || !numbers[1] || (numbers.size() > 2 && !numbers[2]))
             return _builder.problem(line, "a gx:coord is not longitude, latitude and height");
-        const bool isClamped = mode.empty() || mode == "clampToGround";
+        const bool isClamped = mode.empty() || mode == "clampToGround" || mode == "clampToSeaFloor";
         const std::optional<double> height = isClamped ? 0.0 : numbers.size() > 2 ? numbers[2] : std::nullopt;
-        _builder.add(track, {*time, *numbers[1], *numbers[0], height, line});
+        TrackFix fix{*time, *numbers[1], *numbers[0], height, line};
+        fix.datum = datumOf(mode); // tracks of one MultiTrack may differ
+        _builder.add(track, fix);
         _hasFixes = _hasFixes || !track.fixes.empty();
     }
 
@@ -154,7 +216,7 @@ private:
 
 foundation::Result<TrackReading> parseKml(std::string_view text, const std::string& name)
 {
-    const auto source = foundation::XmlSource::parse(withoutMark(text), name);
+    const auto source = foundation::XmlSource::parse(text, name);
     if (!source) return source.error();
     return KmlReader(**source, name).run();
 }

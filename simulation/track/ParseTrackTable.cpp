@@ -1,104 +1,111 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
+#include <foundation/CsvCells.h>
 #include <foundation/Units.h>
+#include <foundation/Utf8.h>
 
-#include "simulation/environment/DateTime.h"
 #include "simulation/parser/Expression.h"
 #include "simulation/track/ReadTrack.h"
+#include "simulation/track/TableColumns.h"
+#include "simulation/track/TimeText.h"
 #include "simulation/track/TrackBuilder.h"
+#include "simulation/track/TrackTimes.h"
 
 namespace simulation
 {
 namespace
 {
 
-enum Column
-{
-    kTime,
-    kLatitude,
-    kLongitude,
-    kHeight,
-    kPosition, ///< latitude and longitude in one cell
-    kColumns
-};
-
 constexpr double kMilliseconds = 1e11; ///< since 1970: more seconds than 3000 years have
 
-/// The names of the columns, in small letters.
-const std::array<std::vector<std::string_view>, kColumns> kNames = {
-    {{"time", "timestamp", "t", "datetime", "utc"},
-     {"latitude", "lat"},
-     {"longitude", "lon", "lng", "long"},
-     {"height", "altitude", "alt", "elevation", "ele", "geoaltitude", "baroaltitude"},
-     {"position"}}};
-
-/// The cells of a line; a mark between quotes is part of its cell.
-std::vector<std::string_view> cellsOf(std::string_view line, char mark)
+/// A number and the letters around it.
+struct CellNumber
 {
-    std::vector<std::string_view> cells;
-    for (std::size_t at = 0; at <= line.size();)
+    double value = 0.0;
+    std::string before, behind; ///< in capitals
+};
+
+/// Whether a text is groups of three digits between marks, as 1,640.
+bool isGrouped(std::string_view text, char mark)
+{
+    const std::size_t first = text.find(mark);
+    if (first == std::string_view::npos || first == 0 || first > 3) return false;
+    for (std::size_t at = first; at < text.size(); at += 4)
+        if (text[at] != mark || at + 4 > text.size() ||
+            !std::all_of(text.begin() + static_cast<long>(at) + 1, text.begin() + static_cast<long>(at) + 4,
+                         [](unsigned char c) { return std::isdigit(c); }))
+            return false;
+    return true;
+}
+
+/// Reads 9.5, 9,5, 1,640.42, 1.640,42, 48.5N, 500 ft. `isDecimalComma`: in the other cells. Nothing: there is
+/// no number, or something else with it.
+std::optional<CellNumber> cellNumber(std::string_view cell, bool isDecimalComma)
+{
+    const auto isPart = [](unsigned char c)
+    { return std::isdigit(c) || c == '+' || c == '-' || c == '.' || c == ','; };
+    cell = trimmed(cell);
+    const auto begin = std::find_if(cell.begin(), cell.end(), isPart);
+    auto end = begin;
+    while (end != cell.end() && (isPart(static_cast<unsigned char>(*end)) ||
+                                 ((*end == 'e' || *end == 'E') && std::next(end) != cell.end() &&
+                                  isPart(static_cast<unsigned char>(*std::next(end))))))
+        ++end;
+    CellNumber number;
+    const auto capitals = [](std::string_view text)
     {
-        std::size_t end = at;
-        for (bool isQuoted = false; end < line.size() && (isQuoted || line[end] != mark); ++end)
-            if (line[end] == '"') isQuoted = !isQuoted;
-        std::string_view cell = trimmed(line.substr(at, end - at));
-        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-            cell = cell.substr(1, cell.size() - 2);
-        cells.push_back(cell);
-        at = end + 1;
-    }
-    return cells;
+        std::string result;
+        for (const char c : trimmed(text))
+            result += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        return result;
+    };
+    number.before = capitals({cell.begin(), begin});
+    number.behind = capitals({end, cell.end()});
+    std::string text(begin, end);
+    const std::size_t comma = text.rfind(','), point = text.rfind('.');
+    const bool hasBoth = comma != std::string::npos && point != std::string::npos;
+    char decimal = hasBoth ? (comma > point ? ',' : '.') : comma != std::string::npos ? ',' : '.';
+    const std::size_t sign = text.find_first_of("+-") == 0 ? 1 : 0;
+    if (!hasBoth && isGrouped(std::string_view(text).substr(sign), decimal) &&
+        isDecimalComma != (decimal == ','))
+        decimal = decimal == ',' ? '.' : ','; // its only marks part groups
+    std::erase(text, decimal == ',' ? '.' : ',');
+    std::replace(text.begin(), text.end(), ',', '.');
+    const auto value = parseNumber(text);
+    if (!value) return std::nullopt;
+    number.value = *value;
+    return number;
 }
 
-/// The words of a column's name, in small letters: letters in a row.
-std::vector<std::string> wordsOf(std::string_view name)
+/// Reads a coordinate, with a letter of its hemisphere or a sign of degrees or without. `positive`,
+/// `negative`: the letters.
+std::optional<double> coordinate(std::string_view cell, bool isDecimalComma, char positive, char negative)
 {
-    std::vector<std::string> words(1);
-    for (const char c : name)
-    {
-        const auto letter = static_cast<unsigned char>(c);
-        if (std::isalpha(letter))
-            words.back() += static_cast<char>(std::tolower(letter));
-        else if (!words.back().empty())
-            words.emplace_back();
-    }
-    return words;
+    const auto number = cellNumber(cell, isDecimalComma);
+    if (!number) return std::nullopt;
+    std::string around = number->before + number->behind;
+    for (const char* sign : {"\xC2\xB0", "DEG", " "})
+        if (const std::size_t at = around.find(sign); at != std::string::npos)
+            around.erase(at, std::string_view(sign).size());
+    if (around.empty()) return number->value;
+    if (around.size() != 1 || (around[0] != positive && around[0] != negative)) return std::nullopt;
+    return around[0] == negative ? -number->value : number->value;
 }
 
-/// Which cell each column is in; -1: none. By the first word of its name, else by one of the others
-/// (`gps_latitude`).
-std::array<int, kColumns> columnsOf(const std::vector<std::string_view>& cells)
+/// Reads a height in metres. `unitM`: of a cell that names none.
+std::optional<double> heightIn(std::string_view cell, bool isDecimalComma, double unitM)
 {
-    std::array<int, kColumns> columns;
-    columns.fill(-1);
-    for (const bool isByFirst : {true, false})
-        for (std::size_t cell = 0; cell < cells.size(); ++cell)
-        {
-            std::vector<std::string> words = wordsOf(cells[cell]);
-            if (isByFirst) words.resize(1);
-            for (std::size_t column = 0; column < kNames.size(); ++column)
-                if (columns[column] < 0 &&
-                    std::find_first_of(words.begin(), words.end(), kNames[column].begin(),
-                                       kNames[column].end()) != words.end())
-                    columns[column] = static_cast<int>(cell);
-        }
-    return columns;
-}
-
-/// Whether a column counts in feet: its name says so, or it is one of Flightradar24's tables, which have a
-/// position in one cell.
-bool isInFeet(const std::array<int, kColumns>& columns, const std::vector<std::string_view>& cells)
-{
-    if (columns[kHeight] < 0) return false;
-    const auto words = wordsOf(cells[static_cast<std::size_t>(columns[kHeight])]);
-    return columns[kPosition] >= 0 || std::any_of(words.begin(), words.end(),
-                                                  [](const std::string& word) {
-                                                      return word == "ft" || word == "feet" || word == "foot";
-                                                  });
+    const auto number = cellNumber(cell, isDecimalComma);
+    if (!number || !number->before.empty()) return std::nullopt;
+    if (number->behind.empty()) return unitM * number->value;
+    if (number->behind == "M") return number->value;
+    if (number->behind == "FT" || number->behind == "FEET" || number->behind == "'")
+        return foundation::kMetresPerFoot * number->value;
+    return std::nullopt;
 }
 
 /// Parts a cell with both coordinates in two.
@@ -108,82 +115,122 @@ std::pair<std::string_view, std::string_view> partedAtComma(std::string_view cel
     return {trimmed(cell.substr(0, comma)), trimmed(cell.substr(std::min(comma + 1, cell.size())))};
 }
 
-/// The seconds of a time of day, h:m:s.
-std::optional<double> timeOfDay(std::string_view cell)
+/// Reads the rows of a table.
+class TableReader
 {
-    double seconds = 0.0;
-    int parts = 0;
-    for (; !cell.empty(); ++parts)
+public:
+    TableReader(const std::string& name, const TableColumns& columns)
+        : _columns(columns), _builder(name), _track(_builder.begin(name, columns.datum))
     {
-        const std::size_t end = std::min(cell.find(':'), cell.size());
-        const auto part = parseNumber(cell.substr(0, end));
-        if (!part || *part < 0.0) return std::nullopt;
-        seconds = 60.0 * seconds + *part;
-        cell = cell.substr(std::min(end + 1, cell.size()));
+        _track.hasTimes = columns.time >= 0;
+        if (columns.isOfAircraft) _track.kind = TrackKind::aircraft;
     }
-    return parts == 3 ? std::optional(seconds) : std::nullopt;
-}
 
-std::optional<double> timeOf(std::string_view cell)
-{
-    if (const auto seconds = parseNumber(cell))
-        return *seconds > kMilliseconds ? *seconds / 1000.0 : *seconds;
-    if (const auto seconds = timeOfDay(cell)) return seconds;
-    std::string text(cell);
-    if (text.size() > 10 && text[10] == ' ') text[10] = 'T';
-    const auto time = parseDateTime(text);
-    if (!time) return std::nullopt;
-    return static_cast<double>(time->unixMilliseconds) / 1000.0;
-}
+    TrackBuilder& builder() { return _builder; }
+
+    void take(const std::vector<std::string>& cells, int line)
+    {
+        const auto cell = [&](int column) -> std::string_view
+        {
+            const auto at = static_cast<std::size_t>(column);
+            return column >= 0 && at < cells.size() ? std::string_view(cells[at]) : std::string_view{};
+        };
+        const auto [north, east] = _columns.position >= 0
+                                       ? partedAtComma(cell(_columns.position))
+                                       : std::pair(cell(_columns.latitude), cell(_columns.longitude));
+        for (const std::string_view text : {north, east})
+            if (text.find(',') != std::string_view::npos && text.find('.') == std::string_view::npos)
+                _isDecimalComma = true;
+        const auto latitude = coordinate(north, _isDecimalComma, 'N', 'S'),
+                   longitude = coordinate(east, _isDecimalComma, 'E', 'W');
+        const auto time =
+            _track.hasTimes ? timeOf(cell(_columns.time), cell(_columns.date)) : std::optional(0.0);
+        const auto height = heightIn(cell(_columns.height), _isDecimalComma, _columns.heightUnitM);
+        if (!latitude || !longitude)
+            _builder.problem(line, "latitude or longitude is no number");
+        else if (!time)
+            _builder.problem(line, "the time is neither seconds nor a date and time");
+        else if (!height && !cell(_columns.height).empty())
+            _builder.problem(line, "the height is no number");
+        else
+            _fixes.push_back({*time, *latitude, *longitude, height, line});
+    }
+
+    foundation::Result<TrackReading> finish()
+    {
+        if (_areTimesOfDay) addDays(_fixes);
+        for (const TrackFix& fix : _fixes)
+            _builder.add(_track, fix);
+        return _builder.finish();
+    }
+
+private:
+    /// Seconds, milliseconds and so on since 1970 by their size; times of the day; dates and times.
+    std::optional<double> timeOf(std::string_view cell, std::string_view date)
+    {
+        const auto number = cellNumber(cell, _isDecimalComma);
+        if (number && number->before.empty() && number->behind.empty())
+        {
+            if (std::fabs(number->value) < kMilliseconds) return _columns.timeUnitS * number->value;
+            if (number->value < 0.0) return std::nullopt;
+            double seconds = number->value;
+            while (seconds > kMilliseconds)
+                seconds /= 1000.0;
+            return seconds;
+        }
+        if (const auto seconds = secondsOfDay(cell))
+        {
+            _areTimesOfDay = true;
+            return unixSecondsOfDate(date).value_or(0.0) + *seconds;
+        }
+        return unixSeconds(cell);
+    }
+
+    const TableColumns& _columns;
+    TrackBuilder _builder;
+    FlightTrack& _track;
+    std::vector<TrackFix> _fixes;
+    bool _isDecimalComma = false, _areTimesOfDay = false;
+};
 
 } // namespace
 
 foundation::Result<TrackReading> parseTrackTable(std::string_view text, const std::string& name)
 {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    std::string_view header = takeLine(text);
+    const auto read = foundation::Utf8Text::of(text, {}, name);
+    if (!read) return read.error();
+    text = read->in(text);
+    char mark = '\0';
     int line = 1;
-    for (; !text.empty() && (trimmed(header).empty() || trimmed(header).starts_with('#')); ++line)
-        header = takeLine(text);
-    const char mark = header.find(';') != std::string_view::npos    ? ';'
-                      : header.find('\t') != std::string_view::npos ? '\t'
-                                                                    : ',';
-    const auto names = cellsOf(header, mark);
-    std::array<int, kColumns> columns = columnsOf(names);
-    if (columns[kLatitude] >= 0 && columns[kLongitude] >= 0) columns[kPosition] = -1;
-    if ((columns[kLatitude] < 0 || columns[kLongitude] < 0) && columns[kPosition] < 0)
+    for (; !text.empty(); ++line)
+    {
+        std::string_view rest = text;
+        const std::string_view header = trimmed(takeLine(rest));
+        const bool isSeparator = header.starts_with("sep=") && header.size() == 5; // a line of Excel's
+        if (isSeparator) mark = header[4];
+        if (!isSeparator && !header.empty() && !header.starts_with('#')) break;
+        text = rest;
+    }
+    const std::string_view header = text.substr(0, text.find('\n'));
+    if (mark == '\0')
+        mark = header.find(';') != std::string_view::npos    ? ';'
+               : header.find('\t') != std::string_view::npos ? '\t'
+                                                             : ',';
+    foundation::CsvRecord record = foundation::takeCsvRecord(text, mark);
+    const TableColumns columns = columnsOf(record.cells);
+    if (!columns.havePlace())
         return foundation::Error{name + ":" + std::to_string(line),
                                  "the first line names no columns for latitude and longitude",
                                  "begin with a line such as time,latitude,longitude,height"};
-    const double unitM = isInFeet(columns, names) ? foundation::kMetresPerFoot : 1.0;
-    TrackBuilder builder(name);
-    FlightTrack& track = builder.begin(name, HeightDatum::meanSeaLevel);
-    track.hasTimes = columns[kTime] >= 0;
-    for (++line; !text.empty(); ++line)
+    TableReader reader(name, columns);
+    reader.builder().note(*read);
+    while (!text.empty())
     {
-        const std::vector<std::string_view> cells = cellsOf(takeLine(text), mark);
-        if (cells.size() == 1 && cells.front().empty()) continue;
-        const auto cell = [&](Column column) -> std::string_view
-        {
-            const auto at = static_cast<std::size_t>(columns[column]);
-            return columns[column] >= 0 && at < cells.size() ? cells[at] : std::string_view{};
-        };
-        const auto [north, east] = columns[kPosition] >= 0 ? partedAtComma(cell(kPosition))
-                                                           : std::pair(cell(kLatitude), cell(kLongitude));
-        const auto latitude = parseNumber(north), longitude = parseNumber(east);
-        const auto time = track.hasTimes ? timeOf(cell(kTime)) : std::optional(0.0);
-        auto height = parseNumber(cell(kHeight));
-        if (height) *height *= unitM;
-        if (!latitude || !longitude)
-            builder.problem(line, "latitude or longitude is no number");
-        else if (!time)
-            builder.problem(line, "the time is neither seconds nor a date and time");
-        else if (!height && !cell(kHeight).empty())
-            builder.problem(line, "the height is no number");
-        else
-            builder.add(track, {*time, *latitude, *longitude, height, line});
+        line += record.lines;
+        record = foundation::takeCsvRecord(text, mark);
+        if (record.cells.size() > 1 || !record.cells.front().empty()) reader.take(record.cells, line);
     }
-    return builder.finish();
+    return reader.finish();
 }
 
 } // namespace simulation

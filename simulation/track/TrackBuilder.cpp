@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/track/TrackBuilder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "simulation/track/TrackTimes.h"
 
 namespace simulation
 {
@@ -38,15 +41,18 @@ FlightTrack& TrackBuilder::begin(const std::string& name, HeightDatum datum)
     return _reading.tracks.back();
 }
 
+void TrackBuilder::beginPart()
+{
+    if (!_reading.tracks.empty())
+        _parts.emplace_back(_reading.tracks.size() - 1, _reading.tracks.back().fixes.size());
+}
+
 void TrackBuilder::add(FlightTrack& track, const TrackFix& fix)
 {
     if (!(std::fabs(fix.latitudeDeg) <= 90.0 && std::fabs(fix.longitudeDeg) <= 180.0))
         problem(fix.line, "the position is not within 90 degrees of latitude and 180 of longitude");
     else if (fix.heightM && !(std::fabs(*fix.heightM) <= kFarthestHeightM))
         problem(fix.line, "the height is beyond 1000 km");
-    else if (track.hasTimes && !track.fixes.empty() && !(fix.timeS > track.fixes.back().timeS))
-        problem(fix.line,
-                "the time is not later than that of line " + std::to_string(track.fixes.back().line));
     else
         track.fixes.push_back(fix);
 }
@@ -57,8 +63,33 @@ void TrackBuilder::problem(int line, const std::string& what)
     if (_reading.problems.size() < kMostProblems) _reading.problems.push_back({line, what});
 }
 
+void TrackBuilder::note(int line, const std::string& what)
+{
+    if (_reading.notes.size() < kMostProblems) _reading.notes.push_back({line, what});
+}
+
+void TrackBuilder::note(const foundation::Utf8Text& text)
+{
+    if (text.strayBytes() > 0) note(text.strayLine(), text.strayWords());
+}
+
 foundation::Result<TrackReading> TrackBuilder::finish()
 {
+    for (std::size_t i = 0; i < _reading.tracks.size(); ++i)
+    {
+        FlightTrack& track = _reading.tracks[i];
+        if (!track.hasTimes) continue;
+        std::vector<std::size_t> parts;
+        for (const auto& [of, first] : _parts)
+            if (of == i) parts.push_back(first);
+        const TimeOrder order = orderInTime(track.fixes, parts);
+        for (const TrackProblem& fault : order.dropped)
+            problem(fault.line, fault.what);
+        if (order.isReversed && !track.fixes.empty())
+            note(track.fixes.back().line, "the last fix stands first; the track is read backwards");
+    }
+    const auto byLine = [](const TrackProblem& a, const TrackProblem& b) { return a.line < b.line; };
+    std::stable_sort(_reading.problems.begin(), _reading.problems.end(), byLine);
     std::erase_if(_reading.tracks, [](const FlightTrack& track) { return track.fixes.empty(); });
     if (!_reading.tracks.empty()) return std::move(_reading);
     if (_reading.problems.empty())

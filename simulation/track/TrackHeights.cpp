@@ -39,6 +39,11 @@ std::string TrackHeights::message() const
 {
     char text[256];
     std::string message = std::string("heights above ") + nameOf(datum);
+    if (geoidM)
+    {
+        std::snprintf(text, sizeof text, ", which is %.1f m above the ellipsoid there", *geoidM);
+        message += text;
+    }
     if (restingFixes > 0)
     {
         std::snprintf(text, sizeof text, ": %+.1f m added (%zu fixes at rest on the ground)", offsetM,
@@ -59,13 +64,16 @@ TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double 
 {
     TrackHeights done;
     done.datum = track.datum;
+    done.geoidM = track.geoidM;
+    const auto isAboveGround = [&](const TrackFix& fix)
+    { return fix.datum.value_or(track.datum) == HeightDatum::ground; };
     std::vector<std::optional<double>> heights;
     std::vector<double> differences;
     for (std::size_t i = 0; i < track.fixes.size(); ++i)
     {
         const TrackFix& fix = track.fixes[i];
         heights.push_back(ground(fix.latitudeDeg, fix.longitudeDeg));
-        if (track.datum != HeightDatum::ground && heights.back() && fix.heightM && isResting(track, i))
+        if (!isAboveGround(fix) && heights.back() && fix.heightM && isResting(track, i))
             differences.push_back(*heights.back() - *fix.heightM);
     }
     if (findsOffset && differences.size() >= kFewestResting)
@@ -78,20 +86,22 @@ TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double 
         std::optional<double>& height = track.fixes[i].heightM;
         if (!heights[i])
         {
-            if (height) *height += done.offsetM;
+            if (height && !isAboveGround(track.fixes[i])) *height += done.offsetM;
             continue;
         }
         const double least = *heights[i] + clearanceM;
         if (!height)
             height = least;
         else
-            *height += track.datum == HeightDatum::ground ? *heights[i] : done.offsetM;
+            *height += isAboveGround(track.fixes[i]) ? *heights[i] : done.offsetM;
         if (*height >= least) continue;
         ++done.raisedFixes;
         done.deepestM = std::max(done.deepestM, *heights[i] - *height);
         height = least;
     }
     track.datum = HeightDatum::ellipsoid;
+    for (TrackFix& fix : track.fixes)
+        fix.datum.reset();
     return done;
 }
 

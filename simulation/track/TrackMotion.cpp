@@ -13,7 +13,7 @@ namespace simulation
 namespace
 {
 
-constexpr double kFlyingM = 50.0;
+constexpr double kFlyingM = 50.0, kLiftedM = 25.0;
 constexpr double kWalkingMps = 2.5;
 constexpr double kTrackStandingMps = 0.3;
 
@@ -53,16 +53,19 @@ double lengthOf(const FlightTrack& track)
     return length;
 }
 
-TrackKind kindByMotion(const FlightTrack& track, const GroundHeight& ground)
+TrackKind kindByMotion(const FlightTrack& track, const GroundHeight& ground, bool isMadeGround)
 {
     if (track.kind != TrackKind::unknown) return track.kind;
-    std::size_t flying = 0;
+    std::size_t flying = 0, lifted = 0;
     for (const TrackFix& fix : track.fixes)
     {
         const auto below = ground(fix.latitudeDeg, fix.longitudeDeg);
-        if (fix.heightM && below && *fix.heightM - *below >= kFlyingM) ++flying;
+        if (!fix.heightM || !below) continue;
+        flying += *fix.heightM - *below >= kFlyingM ? 1 : 0;
+        lifted += *fix.heightM - *below >= kLiftedM ? 1 : 0;
     }
-    if (10 * flying >= track.fixes.size()) return TrackKind::aircraft;
+    if (10 * flying >= track.fixes.size() || (!isMadeGround && 2 * lifted > track.fixes.size()))
+        return TrackKind::aircraft;
     const auto speed = usualSpeed(track);
     return speed && *speed < kWalkingMps ? TrackKind::person : TrackKind::vehicle;
 }

@@ -13,8 +13,9 @@ double metresBetween(const TrackFix& one, const TrackFix& other);
 double lengthOf(const FlightTrack& track);
 
 /// Tells what moved where the file does not: an aircraft where a tenth of the fixes is 50 m above the ground
-/// or more, else a person on foot (slower than 2.5 m/s for nine tenths of the moving time) or a vehicle.
-/// Precondition: fitToGround() was called.
-TrackKind kindByMotion(const FlightTrack& track, const GroundHeight& ground);
+/// or more, or half of them 25 m (of a made ground, which is no measure, the first alone counts), else a
+/// person on foot (slower than 2.5 m/s for nine tenths of the moving time) or a vehicle. Precondition:
+/// fitToGround() was called.
+TrackKind kindByMotion(const FlightTrack& track, const GroundHeight& ground, bool isMadeGround = false);
 
 } // namespace simulation

@@ -7,6 +7,8 @@
 
 #include "simulation/track/TrackClearance.h"
 #include "simulation/track/TrackEntity.h"
+#include "simulation/track/TrackGaps.h"
+#include "simulation/track/TrackGeoid.h"
 #include "simulation/track/TrackMotion.h"
 #include "simulation/track/TrackTrajectory.h"
 
@@ -76,7 +78,7 @@ public:
             _made.scenario.entities.push_back(entity);
             return;
         }
-        if (entity.isAirborne()) clear(track, *follow);
+        if (entity.isAirborne() && _frame.hasGround()) clear(track, *follow);
         _made.scenario.entities.push_back(entity);
         track.hasTimes ? addTimed(track, std::move(*follow)) : addUntimed(track, std::move(*follow));
     }
@@ -155,25 +157,51 @@ private:
     TrackScenario _made;
 };
 
-/// Fits each track to the ground, tells what was done, and leaves out what is no body or not over the
-/// terrain.
-void fitTracks(std::vector<FlightTrack>& tracks, const GroundHeight& ground, bool findsOffset,
+/// Leaves out what is no body.
+void dropMarks(std::vector<FlightTrack>& tracks, std::vector<std::string>& notes)
+{
+    const std::size_t marks =
+        std::erase_if(tracks, [](const FlightTrack& track) { return track.kind == TrackKind::mark; });
+    if (marks > 0) notes.push_back(std::to_string(marks) + " objects that are no bodies are left out");
+}
+
+/// Fits each track to the ground, and tells what was done.
+void fitTracks(std::vector<FlightTrack>& tracks, const GroundHeight& ground, bool isMadeGround,
                std::vector<std::string>& notes)
 {
-    std::size_t marks = 0;
-    std::erase_if(tracks,
-                  [&](const FlightTrack& track) { return track.kind == TrackKind::mark && ++marks > 0; });
-    if (marks > 0) notes.push_back(std::to_string(marks) + " objects that are no bodies are left out");
     for (FlightTrack& track : tracks)
     {
         const auto outside =
             std::count_if(track.fixes.begin(), track.fixes.end(),
                           [&](const TrackFix& fix) { return !ground(fix.latitudeDeg, fix.longitudeDeg); });
-        const TrackHeights done = fitToGround(track, ground, 0.0, findsOffset);
-        track.kind = kindByMotion(track, ground);
+        const TrackHeights done = fitToGround(track, ground, 0.0, !isMadeGround);
+        track.kind = kindByMotion(track, ground, isMadeGround);
         notes.push_back(track.name + ": " + std::to_string(track.fixes.size()) + " fixes, " + done.message());
+        if (const auto gaps = gapsOf(track)) notes.push_back(track.name + ": " + *gaps);
         if (outside > 0)
             notes.push_back(track.name + ": " + std::to_string(outside) + " of them are outside the terrain");
+    }
+}
+
+/// Without ground heights stay; those above the ground count from `levelM`, the sea at the scene's origin.
+void leaveTracks(std::vector<FlightTrack>& tracks, double levelM, std::vector<std::string>& notes)
+{
+    for (FlightTrack& track : tracks)
+    {
+        double lowM = levelM;
+        for (TrackFix& fix : track.fixes)
+        {
+            const bool isAboveGround = fix.datum.value_or(track.datum) == HeightDatum::ground;
+            if (isAboveGround || !fix.heightM) fix.heightM = levelM + fix.heightM.value_or(0.0);
+            lowM = &fix == &track.fixes.front() ? *fix.heightM : std::min(lowM, *fix.heightM);
+            fix.datum.reset();
+        }
+        track.kind = kindByMotion(
+            track, [&](double, double) { return std::optional(lowM); }, true);
+        notes.push_back(track.name + ": " + std::to_string(track.fixes.size()) + " fixes, heights above " +
+                        nameOf(track.datum));
+        if (const auto gaps = gapsOf(track)) notes.push_back(track.name + ": " + *gaps);
+        track.datum = HeightDatum::ellipsoid;
     }
 }
 
@@ -197,10 +225,21 @@ foundation::Outcome checkCover(const std::vector<FlightTrack>& tracks, const Gro
 foundation::Result<TrackScenario> scenarioOf(std::vector<FlightTrack> tracks, const SceneFrame& frame,
                                              const TrackScenarioOptions& options)
 {
-    const GroundHeight ground = groundHeightOf(frame);
-    if (const auto covered = checkCover(tracks, ground, options.sceneFile); !covered) return covered.error();
     std::vector<std::string> notes;
-    fitTracks(tracks, ground, !options.isMadeGround, notes);
+    if (auto note = countFromEllipsoid(tracks)) notes.push_back(std::move(*note));
+    if (frame.hasGround())
+    {
+        const GroundHeight ground = groundHeightOf(frame);
+        if (const auto covered = checkCover(tracks, ground, options.sceneFile); !covered)
+            return covered.error();
+        dropMarks(tracks, notes);
+        fitTracks(tracks, ground, options.isMadeGround, notes);
+    }
+    else
+    {
+        dropMarks(tracks, notes);
+        leaveTracks(tracks, frame.frame()->geodeticFromLocal({0.0, 0.0, 0.0}).heightM, notes);
+    }
     if (tracks.empty())
         return foundation::Error{options.description, "holds nothing that can be shown",
                                  "name another recording"};

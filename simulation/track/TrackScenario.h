@@ -30,8 +30,9 @@ struct TrackScenario
 };
 
 /// Makes a scenario in which each track is an entity that moves as it was recorded, over the ground of
-/// `frame`: heights are fitted to the ground (TrackHeights.h, TrackClearance.h), those of vehicles and
-/// persons left to it. What comes later or goes earlier is added and deleted by events. First stand those
+/// `frame`, or where it has none without ground, at the heights that were recorded: heights count from the
+/// ellipsoid (TrackGeoid.h), are fitted to the ground (TrackHeights.h, TrackClearance.h), those of vehicles
+/// and persons left to it. What comes later or goes earlier is added and deleted by events. First stand those
 /// that fly, then those that move, then the others; a track without times is followed at a usual speed. Sun
 /// and hour are those of the recording, where it has a date.
 /// Errors: no track touches the terrain; the recording ends before `startS`; nothing in it can be shown.

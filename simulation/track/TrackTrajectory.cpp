@@ -4,6 +4,9 @@
 #include <algorithm>
 
 #include <foundation/Angle.h>
+#include <foundation/Utf8.h>
+
+#include "simulation/track/TrackGaps.h"
 
 namespace simulation
 {
@@ -18,34 +21,6 @@ Orientation orientationOf(const TrackAttitude& attitude)
     orientation.pitchRad = -foundation::radiansOf(attitude.pitchDeg);
     orientation.rollRad = foundation::radiansOf(attitude.rollDeg);
     return orientation;
-}
-
-constexpr double kLongGapS = 30.0;
-constexpr double kGapStepS = 10.0;
-constexpr int kMostInGap = 200;
-
-/// Puts places on the straight way between two vertices that are far apart in time, where a smooth curve
-/// would swing out.
-void fillGap(std::vector<Vertex>& vertices, const Vertex& next)
-{
-    if (vertices.empty() || !next.timeS) return;
-    const Vertex last = vertices.back();
-    const double gapS = *next.timeS - *last.timeS;
-    if (gapS <= kLongGapS) return;
-    const auto& from = std::get<GeoPosition>(last.position);
-    const auto& to = std::get<GeoPosition>(next.position);
-    const int steps = static_cast<int>(std::clamp(gapS / kGapStepS, 2.0, static_cast<double>(kMostInGap)));
-    for (int i = 1; i < steps; ++i)
-    {
-        const double share = static_cast<double>(i) / steps;
-        GeoPosition between = share < 0.5 ? from : to;
-        between.latitudeDeg = from.latitudeDeg + share * (to.latitudeDeg - from.latitudeDeg);
-        between.longitudeDeg = foundation::wrappedDeg(
-            from.longitudeDeg + share * foundation::wrappedDeg(to.longitudeDeg - from.longitudeDeg));
-        if (from.heightM && to.heightM)
-            between.heightM = *from.heightM + share * (*to.heightM - *from.heightM);
-        vertices.push_back({last.source, *last.timeS + share * gapS, std::move(between)});
-    }
 }
 
 } // namespace
@@ -69,12 +44,13 @@ foundation::Result<FollowTrajectoryAction> trajectoryOf(const FlightTrack& track
         position.longitudeDeg = fix.longitudeDeg;
         position.heightM = fix.heightM;
         if (hasAttitudes) position.orientation = orientationOf(*fix.attitude);
-        Vertex next{{fix.line}, track.hasTimes ? std::optional(timeS) : std::nullopt, std::move(position)};
-        fillGap(line.vertices, next);
-        line.vertices.push_back(std::move(next));
+        line.vertices.push_back(
+            {{fix.line}, track.hasTimes ? std::optional(timeS) : std::nullopt, std::move(position)});
     }
+    if (track.hasTimes) fillGaps(line.vertices);
     foundation::Result<FollowTrajectoryAction> result{FollowTrajectoryAction{}};
-    result->trajectory.name = track.name.substr(0, 256); // the longest name that a scenario may have
+    result->trajectory.name =
+        std::string(foundation::utf8Beginning(track.name, 256)); // the longest name that a scenario may have
     result->trajectory.shape = std::move(line);
     result->mode = FollowingMode::follow;
     if (track.hasTimes) result->timing = Timing{};

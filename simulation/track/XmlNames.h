@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string_view>
 
+#include <foundation/XmlSource.h>
 #include <pugixml.hpp>
 
-#include "simulation/environment/DateTime.h"
 #include "simulation/track/TrackBuilder.h"
 
 /// Elements by their names without the prefix of a namespace.
@@ -33,17 +32,10 @@ inline std::string_view textOf(pugi::xml_node parent, std::string_view name)
     return trimmed(childOf(parent, name).text().get());
 }
 
-/// Returns the seconds since 1970 of a date and time; nothing where it cannot be read.
-inline std::optional<double> unixSeconds(std::string_view text)
+/// Notes what the text has that is not in its encoding.
+inline void tellNote(TrackBuilder& builder, const foundation::XmlSource& source)
 {
-    const auto time = parseDateTime(trimmed(text));
-    if (!time) return std::nullopt;
-    return static_cast<double>(time->unixMilliseconds) / 1000.0;
-}
-
-inline std::string_view withoutMark(std::string_view text)
-{
-    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+    if (!source.note().empty()) builder.note(source.noteLine(), source.note());
 }
 
 } // namespace simulation

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // One command from anybody's recording to pictures of it.
 #include <cstdio>
+#include <fstream>
 
 #include "Playing.h"
+#include "simulation/record/MotionTable.h"
 
 namespace
 {
@@ -60,9 +62,38 @@ TEST(TrackPlay, SaysWhatWasPassedOverAndWhatIsWrong)
     const ProgramRun none = runTrainer({"play", place.path("none.igc")});
     EXPECT_EQ(none.exitCode, 1);
     EXPECT_NE(none.errors.find("none.igc:2: no position can be read"), std::string::npos) << none.errors;
-    const ProgramRun headless = runTrainer({"play", place.path("flight.igc"), "--headless"});
-    EXPECT_EQ(headless.exitCode, 1);
-    EXPECT_NE(headless.errors.find("--save"), std::string::npos) << headless.errors;
+}
+
+TEST(TrackPlay, ARecordingIsPlayedHeadlessAtItsHeights)
+{
+    const Workplace place;
+    writeBytes(place.path("fl\xC3\xBCge, alle.csv"),
+               "\xEF\xBB\xBFtime;lat;lon;alt msl\n0;48,735;8,97;480\n10;48,736;8,97;484\n");
+    const std::string log = place.path("log.csv");
+    const std::vector<std::string> line{"play", place.path("fl\xC3\xBCge, alle.csv"), "--headless",
+                                        "--csv_logger", log};
+    EXPECT_TRUE(succeeds(runTrainer(line)));
+    const auto heightsOf = [&]
+    {
+        const auto table = simulation::readMotionTable(log);
+        EXPECT_TRUE(table) << table.error().message();
+        const auto& samples = table->tracks.at(0).samples;
+        EXPECT_EQ(table->tracks[0].entity, "fl\xC3\xBCge, alle");
+        return std::pair(samples.front()->position.z, samples.back()->position.z);
+    };
+    EXPECT_NEAR(heightsOf().first, 480.0, 0.01);
+    EXPECT_NEAR(heightsOf().second, 484.0, 0.01);
+    EXPECT_TRUE(succeeds(runTrainer({"compare", log, log})));
+    auto other = line;
+    other.insert(other.end(), {"--heights-above", "ellipsoid"});
+    EXPECT_TRUE(succeeds(runTrainer(other)));
+    EXPECT_NEAR(heightsOf().first, 480.0 - 48.66, 0.05);
+    // The strings of the table as any reader of CSV takes them: a quote right behind the comma.
+    std::ifstream stream(log);
+    std::string row;
+    for (int i = 0; i < 5; ++i)
+        std::getline(stream, row);
+    EXPECT_NE(row.find(",\"fl\xC3\xBCge, alle\", 0, "), std::string::npos) << row;
 }
 
 } // namespace

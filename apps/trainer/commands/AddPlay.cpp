@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <map>
 #include <memory>
+#include <string>
 
 #include "actions/HeadlessCommand.h"
 #include "actions/PlayCommand.h"
@@ -56,14 +58,23 @@ void addTrackOptions(CLI::App& play, TrackRequest& request)
     play.add_option("--start", request.startS, "seconds into a recording at which to begin")
         ->check(terminal::between(0.0, 1e6));
     play.add_option("--save", request.saveFile, "file for the scenario that is made of a recording");
+    const std::map<std::string, simulation::HeightDatum> datums{
+        {"sea", simulation::HeightDatum::meanSeaLevel},
+        {"ellipsoid", simulation::HeightDatum::ellipsoid},
+        {"pressure", simulation::HeightDatum::pressure},
+        {"ground", simulation::HeightDatum::ground}};
+    play.add_option("--heights-above", request.datum, "what the heights of a recording count from")
+        ->transform(terminal::named(datums));
 }
 
-/// Plays a recording. Errors: options that belong to scenarios.
+/// Plays a recording.
 foundation::Outcome playRecording(const PlayLine& line)
 {
     if (!line.isHeadless) return playTracks(line.play.request, line.tracks);
-    return foundation::Error{"--headless", "a recording is played over its terrain",
-                             "leave it out; or --save the scenario, and play that headless"};
+    HeadlessRequest headless = line.headless;
+    headless.scenario = line.play.request.scenario;
+    headless.seed = line.variations.seed.value_or(0);
+    return playTracksHeadless(line.play.request, line.tracks, headless);
 }
 
 /// Plays a scenario, or the variations of one.

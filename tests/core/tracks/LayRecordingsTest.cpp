@@ -10,6 +10,7 @@
 #include "../simulation/ScenarioText.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
+#include "simulation/track/TrackGeoid.h"
 #include "simulation/writer/WriteScenario.h"
 
 namespace simulation
@@ -89,7 +90,7 @@ TEST_F(Recordings, AreFollowedByTheirTimesFromTheirStart)
     EXPECT_NEAR(half.speedMps, 11.1, 0.1);
     const EntityState later = stateAt(*scenario, 20.0);
     EXPECT_NEAR(later.position.x, 77.5, 0.3);
-    EXPECT_NEAR(later.position.z, 510.0, 0.1);
+    EXPECT_NEAR(later.position.z, 510.0 + geoidHeightM(46.0, 8.0), 0.1);
 }
 
 TEST_F(Recordings, WithoutTimeReferenceAreFollowedAtTheSpeedOfTheEntity)
@@ -109,12 +110,13 @@ TEST_F(Recordings, OfOneOnTheGroundAreLeftToIt)
 
 TEST_F(Recordings, StayAboveTheGroundOfAFrame)
 {
-    const GroundProvider ground = [](double, double) { return GroundSample{505.0}; };
+    const double seaM = geoidHeightM(46.0, 8.0);
+    const GroundProvider ground = [seaM](double, double) { return GroundSample{505.0 + seaM}; };
     const SceneFrame frame(Geodetic{46.0, 8.0, 0.0}, ground);
     const auto scenario = laid(aircraftOn("flight.csv", ""), &frame);
     ASSERT_TRUE(scenario) << scenario.error().message();
-    EXPECT_NEAR(stateAt(*scenario, 5.0, ground).position.z, 505.0, 0.1);
-    EXPECT_GT(stateAt(*scenario, 25.0, ground).position.z, 510.0);
+    EXPECT_NEAR(stateAt(*scenario, 5.0, ground).position.z, 505.0 + seaM, 0.1);
+    EXPECT_GT(stateAt(*scenario, 25.0, ground).position.z, 510.0 + seaM);
 }
 
 TEST_F(Recordings, AreWrittenByTheirNames)

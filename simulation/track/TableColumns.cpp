@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/track/TableColumns.h"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+
+#include <foundation/Units.h>
+
+namespace simulation
+{
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+/// The words of a column's name, in small letters: letters in a row; a capital behind a small one begins
+/// another.
+Words tableWords(std::string_view name)
+{
+    Words words(1);
+    bool wasSmall = false;
+    for (const char c : name)
+    {
+        const auto letter = static_cast<unsigned char>(c);
+        const bool isLetter = std::isalpha(letter) != 0;
+        if ((!isLetter || (wasSmall && std::isupper(letter))) && !words.back().empty()) words.emplace_back();
+        if (isLetter) words.back() += static_cast<char>(std::tolower(letter));
+        wasSmall = isLetter && std::islower(letter);
+    }
+    return words;
+}
+
+bool hasWord(const Words& words, std::initializer_list<std::string_view> wanted)
+{
+    return std::find_first_of(words.begin(), words.end(), wanted.begin(), wanted.end()) != words.end();
+}
+
+/// The first column whose first word is one of those wanted, else one that has such a word.
+int columnOf(const std::vector<Words>& names, std::initializer_list<std::string_view> wanted)
+{
+    for (const bool isByFirst : {true, false})
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (hasWord(isByFirst ? Words{names[i].front()} : names[i], wanted)) return static_cast<int>(i);
+    return TableColumns::kNone;
+}
+
+struct HeightKind
+{
+    int rank = 0; ///< the highest is taken
+    HeightDatum datum = HeightDatum::meanSeaLevel;
+};
+
+/// What a column of heights holds; nothing: it is none.
+std::optional<HeightKind> heightKind(const Words& words)
+{
+    const std::initializer_list<std::string_view> names = {
+        "height", "altitude", "alt", "elevation", "ele", "elev", "geoaltitude", "baroaltitude"};
+    if (!hasWord(words, names) || hasWord(words, {"rate", "speed", "accuracy", "error", "sigma", "status",
+                                                  "valid", "source", "type", "mode", "sonar"}))
+        return std::nullopt;
+    if (hasWord(words, {"ellipsoid", "ellipsoidal", "hae", "geoaltitude", "geom", "geometric"}))
+        return HeightKind{4, HeightDatum::ellipsoid};
+    if (hasWord(words, {"msl", "amsl", "sea", "orthometric"}))
+        return HeightKind{4, HeightDatum::meanSeaLevel};
+    if (hasWord(words, {"agl", "ground", "relative", "rel", "takeoff", "home"}))
+        return HeightKind{0, HeightDatum::ground};
+    if (hasWord(words, {"baro", "baroaltitude", "barometric", "pressure", "qne"}))
+        return HeightKind{1, HeightDatum::pressure};
+    return HeightKind{hasWord({words.front()}, names) ? 3 : 2, HeightDatum::meanSeaLevel};
+}
+
+double timeUnit(const Words& words)
+{
+    if (hasWord(words, {"ms", "msec", "millis", "millisecond", "milliseconds"})) return 1e-3;
+    if (hasWord(words, {"us", "usec", "micros", "microsecond", "microseconds"})) return 1e-6;
+    if (hasWord(words, {"ns", "nanos", "nanosecond", "nanoseconds"})) return 1e-9;
+    return 1.0;
+}
+
+} // namespace
+
+TableColumns columnsOf(const std::vector<std::string>& cells)
+{
+    std::vector<Words> names;
+    for (const std::string& cell : cells)
+        names.push_back(tableWords(cell));
+    TableColumns columns;
+    columns.time =
+        columnOf(names, {"time", "timestamp", "t", "datetime", "utc", "ms", "millis", "milliseconds"});
+    columns.latitude = columnOf(names, {"latitude", "lat"});
+    columns.longitude = columnOf(names, {"longitude", "lon", "lng", "long"});
+    if (columns.latitude < 0 || columns.longitude < 0) columns.position = columnOf(names, {"position"});
+    columns.isOfAircraft = columnOf(names, {"callsign", "icao", "squawk", "aircraft", "flight", "tail"}) >= 0;
+    int rank = -1;
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        if (names[i].front() == "date" && static_cast<int>(i) != columns.time)
+            columns.date = static_cast<int>(i);
+        const auto kind = heightKind(names[i]);
+        if (!kind || kind->rank <= rank) continue;
+        rank = kind->rank;
+        columns.height = static_cast<int>(i);
+        columns.datum = kind->datum;
+    }
+    if (columns.time >= 0) columns.timeUnitS = timeUnit(names[static_cast<std::size_t>(columns.time)]);
+    const bool isInFeet = columns.height >= 0 &&
+                          hasWord(names[static_cast<std::size_t>(columns.height)], {"ft", "feet", "foot"});
+    if (isInFeet || columns.position >= 0) columns.heightUnitM = foundation::kMetresPerFoot;
+    if (columns.position >= 0 && rank == 3) columns.datum = HeightDatum::pressure; // of Flightradar24
+    return columns;
+}
+
+} // namespace simulation

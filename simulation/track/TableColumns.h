@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "simulation/track/FlightTrack.h"
+
+namespace simulation
+{
+
+/// What the columns of a table of positions hold, by their names.
+struct TableColumns
+{
+    static constexpr int kNone = -1;
+
+    int date = kNone, time = kNone, latitude = kNone, longitude = kNone, height = kNone;
+    int position = kNone;     ///< latitude and longitude in one cell, where they have none of their own
+    double timeUnitS = 1.0;   ///< of a time that is a small number
+    double heightUnitM = 1.0; ///< feet where the name says so, and beside a position in one cell
+    HeightDatum datum = HeightDatum::meanSeaLevel;
+    bool isOfAircraft = false; ///< a column names the aircraft
+
+    bool havePlace() const { return position >= 0 || (latitude >= 0 && longitude >= 0); }
+};
+
+/// Finds the columns: by the first word of a name, else by another (`gps_latitude`, `baroAltitude`). Of
+/// several heights that above the sea or the ellipsoid is taken, before one that does not say so, before
+/// pressure altitudes, before those above the ground.
+TableColumns columnsOf(const std::vector<std::string>& names);
+
+} // namespace simulation
