@@ -23,7 +23,7 @@ constexpr int kMutationsOfSeed = 1000;
 std::vector<std::string> seeds()
 {
     std::vector<std::string> texts;
-    for (const char* name : {"bend.xodr", "curves.xodr", "junction.xodr", "things.xodr"})
+    for (const char* name : {"bend.xodr", "curves.xodr", "junction.xodr", "latin.xodr", "things.xodr"})
     {
         std::ifstream stream(std::filesystem::path(OSGTRAINER_SOURCE_DIR) / "tests/fuzz/corpus" / name);
         texts.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
