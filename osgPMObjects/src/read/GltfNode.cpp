@@ -106,6 +106,8 @@ osg::ref_ptr<osg::Group> nodeOf(const core::GltfModel& model)
     note(model.report.unreadImages, "images not read");
     note(model.report.droppedAttributes, "attribute arrays left out");
     note(model.report.animations, "animations, skins and morph targets left out");
+    for (const std::string& name : model.report.leftOutExtensions)
+        root->addDescription("the extension " + name + " is left out");
     for (const std::string& name : model.report.missingImages)
         root->addDescription(missingImageNote(name));
     return root;

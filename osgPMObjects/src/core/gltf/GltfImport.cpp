@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstring>
-#include <fstream>
-#include <functional>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <system_error>
 
+#include <foundation/WholeText.h>
 #include <tiny_gltf.h>
 
 #include <osgPMObjects/core/gltf/GltfImport.h>
 #include <osgPMObjects/core/mesh/MeshCheck.h>
 
+#include "GltfExtensions.h"
+#include "GltfMeshopt.h"
 #include "GltfScene.h"
 
 namespace osgPMObjects::core
@@ -20,8 +22,6 @@ namespace osgPMObjects::core
 
 namespace
 {
-
-using Parse = std::function<bool(tinygltf::TinyGLTF&, tinygltf::Model&, std::string& error)>;
 
 /// The bytes of image files, by the number of the image.
 using ImageFiles = std::map<int, std::string>;
@@ -64,6 +64,40 @@ void takeImages(const tinygltf::Model& parsed, ImageFiles& files, GltfModel& mod
     }
 }
 
+/// Returns the first numbers of an array; `values` where there is none.
+template<std::size_t Count>
+std::array<double, Count> numbersIn(const tinygltf::Value& object, const char* member,
+                                    std::array<double, Count> values)
+{
+    if (!object.Has(member)) return values;
+    const tinygltf::Value& list = object.Get(member);
+    for (std::size_t i = 0; i < Count && list.IsArray() && i < list.ArrayLen(); ++i)
+        if (list.Get(i).IsNumber()) values[i] = list.Get(i).GetNumberAsDouble();
+    return values;
+}
+
+/// Reads the transform of a texture. Source: Khronos, *KHR_texture_transform* (2018): offset · rotation ·
+/// scale.
+void readTransform(const tinygltf::TextureInfo& texture, GltfMaterial& material)
+{
+    const auto found = texture.extensions.find("KHR_texture_transform");
+    if (found == texture.extensions.end() || !found->second.IsObject()) return;
+    const tinygltf::Value& extension = found->second;
+    const auto offset = numbersIn<2>(extension, "offset", {0.0, 0.0});
+    const auto scale = numbersIn<2>(extension, "scale", {1.0, 1.0});
+    const auto numberIn = [&](const char* member, double missing)
+    {
+        return extension.Has(member) && extension.Get(member).IsNumber()
+                   ? extension.Get(member).GetNumberAsDouble()
+                   : missing;
+    };
+    const double angle = numberIn("rotation", 0.0), c = std::cos(angle), s = std::sin(angle);
+    material.texMatrix =
+        glm::dmat3x2(c * scale[0], -s * scale[0], s * scale[1], c * scale[1], offset[0], offset[1]);
+    if (numberIn("texCoord", material.texCoordSet) != material.texCoordSet)
+        material.texCoordSet = static_cast<int>(std::clamp(numberIn("texCoord", 0.0), 0.0, 9.0));
+}
+
 GltfMaterial materialOf(const tinygltf::Model& model, const tinygltf::Material& from)
 {
     GltfMaterial material;
@@ -81,6 +115,7 @@ GltfMaterial materialOf(const tinygltf::Model& model, const tinygltf::Material& 
         if (source >= 0 && static_cast<std::size_t>(source) < model.images.size()) material.image = source;
         material.texCoordSet = pbr.baseColorTexture.texCoord;
     }
+    readTransform(pbr.baseColorTexture, material);
     material.isBlended = from.alphaMode == "BLEND";
     if (from.alphaMode == "MASK") material.alphaCutoff = from.alphaCutoff;
     material.isTwoSided = from.doubleSided;
@@ -113,29 +148,46 @@ enum class OtherFiles
     read,
 };
 
-foundation::Result<GltfModel> readModel(const Parse& parse, const std::string& name, OtherFiles others)
+bool parse(tinygltf::TinyGLTF& loader, const std::string& bytes, const std::string& folder,
+           tinygltf::Model& model, std::string& error)
+{
+    std::string warnings;
+    const auto length = static_cast<unsigned>(bytes.size());
+    if (bytes.starts_with("glTF"))
+        return loader.LoadBinaryFromMemory(
+            &model, &error, &warnings, reinterpret_cast<const unsigned char*>(bytes.data()), length, folder);
+    return loader.LoadASCIIFromString(&model, &error, &warnings, bytes.data(), length, folder);
+}
+
+/// `folder`: that of the model's other files.
+foundation::Result<GltfModel> readModel(std::string bytes, const std::string& name, OtherFiles others,
+                                        const std::string& folder)
 {
     const auto refused = [&](std::string why)
     {
         std::replace(why.begin(), why.end(), '\n', ' ');
         return foundation::Error{name, "cannot be read as glTF 2: " + why, "export the model again as .glb"};
     };
+    GltfModel model;
     tinygltf::Model parsed;
     ImageFiles files;
     try
     {
+        if (const auto prepared = prepareExtensions(bytes, name, model.report); !prepared)
+            return prepared.error();
         tinygltf::TinyGLTF loader;
         loader.SetImageLoader(loadImage, &files);
         loader.SetFsCallbacks({others == OtherFiles::read ? isFile : isNone, &tinygltf::ExpandFilePath,
                                readFile, &tinygltf::WriteWholeFile, nullptr});
         std::string error;
-        if (!parse(loader, parsed, error)) return refused(error.empty() ? "damaged" : error);
+        if (!parse(loader, bytes, folder, parsed, error)) return refused(error.empty() ? "damaged" : error);
     }
     catch (const std::exception& thrown) // of the parser: from JSON or memory
     {
         return refused(thrown.what());
     }
-    GltfModel model;
+    bytes = {};
+    if (const auto decompressed = decompressViews(parsed, name); !decompressed) return decompressed.error();
     takeImages(parsed, files, model);
     for (const tinygltf::Material& material : parsed.materials)
         model.materials.push_back(materialOf(parsed, material));
@@ -147,53 +199,32 @@ foundation::Result<GltfModel> readModel(const Parse& parse, const std::string& n
     return model;
 }
 
+constexpr std::size_t kMostBytes = std::numeric_limits<unsigned>::max() / 2;
+
+foundation::Result<GltfModel> parseBytes(std::span<const unsigned char> bytes, const std::string& name)
+{
+    if (bytes.size() > kMostBytes) return foundation::Error{name, "is larger than 2 GiB", "split the model"};
+    return readModel({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name, OtherFiles::refused,
+                     "");
+}
+
 } // namespace
 
 foundation::Result<GltfModel> parseGlb(std::span<const unsigned char> bytes, const std::string& name)
 {
-    if (bytes.size() > std::numeric_limits<unsigned>::max() / 2)
-        return foundation::Error{name, "is larger than 2 GiB", "split the model"};
-    return readModel(
-        [&](tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error)
-        {
-            std::string warnings;
-            return loader.LoadBinaryFromMemory(&model, &error, &warnings, bytes.data(),
-                                               static_cast<unsigned>(bytes.size()));
-        },
-        name, OtherFiles::refused);
+    return parseBytes(bytes, name);
 }
 
 foundation::Result<GltfModel> parseGltf(std::span<const unsigned char> bytes, const std::string& name)
 {
-    if (bytes.size() > std::numeric_limits<unsigned>::max() / 2)
-        return foundation::Error{name, "is larger than 2 GiB", "split the model"};
-    return readModel(
-        [&](tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error)
-        {
-            std::string warnings;
-            return loader.LoadASCIIFromString(&model, &error, &warnings,
-                                              reinterpret_cast<const char*>(bytes.data()),
-                                              static_cast<unsigned>(bytes.size()), "");
-        },
-        name, OtherFiles::refused);
+    return parseBytes(bytes, name);
 }
 
 foundation::Result<GltfModel> readGltf(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    char magic[4] = {};
-    if (!stream)
-        return foundation::Error{file.string(), "cannot be opened", "check its path and permissions"};
-    stream.read(magic, sizeof magic);
-    const bool isBinary = std::memcmp(magic, "glTF", 4) == 0;
-    return readModel(
-        [&](tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error)
-        {
-            std::string warnings;
-            return isBinary ? loader.LoadBinaryFromFile(&model, &error, &warnings, file.string())
-                            : loader.LoadASCIIFromFile(&model, &error, &warnings, file.string());
-        },
-        file.string(), OtherFiles::read);
+    auto bytes = foundation::readWholeText(file, kMostBytes);
+    if (!bytes) return bytes.error();
+    return readModel(*std::move(bytes), file.string(), OtherFiles::read, file.parent_path().string());
 }
 
 } // namespace osgPMObjects::core

@@ -33,7 +33,7 @@ std::optional<std::vector<glm::dvec4>> GltfPrimitiveReader::attribute(const tiny
     const auto found = primitive.attributes.find(semantic);
     if (found == primitive.attributes.end()) return {};
     auto values = accessorValues(_model, found->second);
-    if (!values) fail("accessor " + std::to_string(found->second), "is sparse, or exceeds its buffer");
+    if (!values) fail("accessor " + std::to_string(found->second), "exceeds its buffer");
     return values;
 }
 
@@ -54,9 +54,11 @@ void GltfPrimitiveReader::readArrays(const tinygltf::Primitive& primitive, std::
         ++_into.report.pointsAndLines;
         return;
     }
-    for (const char* compressed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
-        if (primitive.extensions.count(compressed))
-            return fail("a primitive", std::string("needs ") + compressed);
+    if (const auto positions = primitive.attributes.find("POSITION");
+        positions != primitive.attributes.end() && !hasData(_model, positions->second))
+        return failWithoutData(primitive, positions->second);
+    if (primitive.indices >= 0 && !hasData(_model, primitive.indices))
+        return failWithoutData(primitive, primitive.indices);
     _positions = attribute(primitive, "POSITION").value_or(std::vector<glm::dvec4>{});
     _normals = attribute(primitive, "NORMAL");
     _texCoords[0] = attribute(primitive, "TEXCOORD_0");
@@ -70,6 +72,15 @@ void GltfPrimitiveReader::readArrays(const tinygltf::Primitive& primitive, std::
     _pattern = {{}, materialOf(primitive), part};
     countDropped(primitive);
     takeTriangles(primitive);
+}
+
+void GltfPrimitiveReader::failWithoutData(const tinygltf::Primitive& primitive, int accessor)
+{
+    std::string why = "has no data";
+    for (const auto& extension : primitive.extensions)
+        why += (&extension == &*primitive.extensions.begin() ? "; those of " : ", ") + extension.first;
+    if (!primitive.extensions.empty()) why += " are not read";
+    fail("accessor " + std::to_string(accessor), why);
 }
 
 void GltfPrimitiveReader::countDropped(const tinygltf::Primitive& primitive)
@@ -99,6 +110,9 @@ std::uint32_t GltfPrimitiveReader::materialOf(const tinygltf::Primitive& primiti
     material.unseen = Material::texCoord0 | Material::texCoord1;
     if (from.image >= 0)
         material.unseen &= ~(from.texCoordSet == 1 ? Material::texCoord1 : Material::texCoord0);
+    const auto none = glm::dmat3x2(1.0);
+    _texMatrices[0] = from.texCoordSet == 0 ? from.texMatrix : none;
+    _texMatrices[1] = from.texCoordSet == 1 ? from.texMatrix : none;
     return _builder.material(material);
 }
 
@@ -164,7 +178,8 @@ std::uint32_t GltfPrimitiveReader::makeWedge(std::uint32_t vertex)
         if (length > 0.0 && std::isfinite(length)) wedge.normal = glm::vec3(turned / length);
     }
     for (std::size_t set = 0; set < 2; ++set)
-        if (const glm::dvec4* t = finite(_texCoords[set])) wedge.texCoords[set] = glm::vec2(t->x, t->y);
+        if (const glm::dvec4* t = finite(_texCoords[set]))
+            wedge.texCoords[set] = glm::vec2(_texMatrices[set] * glm::dvec3(t->x, t->y, 1.0));
     if (const glm::dvec4* c = finite(_colours)) wedge.colour = glm::vec4(*c);
     return _builder.wedge(wedge);
 }

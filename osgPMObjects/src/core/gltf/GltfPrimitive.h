@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <foundation/Result.h>
+#include <glm/mat3x2.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -50,6 +51,7 @@ private:
     /// then set).
     std::optional<std::vector<glm::dvec4>> attribute(const tinygltf::Primitive& primitive,
                                                      const char* semantic);
+    void failWithoutData(const tinygltf::Primitive& primitive, int accessor);
     void countDropped(const tinygltf::Primitive& primitive);
     std::uint32_t materialOf(const tinygltf::Primitive& primitive);
     void takeTriangles(const tinygltf::Primitive& primitive);
@@ -66,6 +68,7 @@ private:
     // Of the current primitive.
     glm::dmat4 _matrix{1.0};
     glm::dmat3 _normalMatrix{1.0};
+    glm::dmat3x2 _texMatrices[2] = {glm::dmat3x2(1.0), glm::dmat3x2(1.0)}; ///< of the sets
     bool _isMirrored = false;
     Face _pattern;
     std::vector<glm::dvec4> _positions;

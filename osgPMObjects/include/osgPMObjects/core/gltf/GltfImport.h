@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <foundation/Result.h>
+#include <glm/mat3x2.hpp>
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
@@ -30,8 +31,9 @@ struct GltfMaterial
     glm::vec4 baseColour{1.0f};
     glm::vec3 emission{0.0f};
     double roughness = 1.0;
-    int image = -1;      ///< index in GltfModel::images of the base colour; -1: none
-    int texCoordSet = 0; ///< texture coordinates of that image
+    int image = -1;              ///< index in GltfModel::images of the base colour; -1: none
+    int texCoordSet = 0;         ///< texture coordinates of that image
+    glm::dmat3x2 texMatrix{1.0}; ///< from the file's texture coordinates to those of the mesh, as (u, v, 1)
     bool isBlended = false;
     double alphaCutoff = -1.0; ///< fragments with less alpha are not drawn; negative: all are
     bool isTwoSided = false;
@@ -45,7 +47,8 @@ struct GltfReport
     std::size_t unreadImages = 0;   ///< inside the file, of an unknown format or damaged
     std::vector<std::string> missingImages; ///< files of their own that cannot be read
     std::size_t droppedAttributes =
-        0;                      ///< attribute arrays that Mesh cannot hold (tangents, joints, further sets)
+        0; ///< attribute arrays that Mesh cannot hold (tangents, joints, further sets)
+    std::vector<std::string> leftOutExtensions; ///< used by the file, not required, and not read in whole
     std::size_t animations = 0; ///< with skins and morph targets: the mesh is in its rest pose
 };
 
@@ -58,9 +61,11 @@ struct GltfModel
 };
 
 /// Reads a .gltf or .glb file (version 2): the default scene with its transforms; triangles, strips and fans;
-/// attributes of all component types. Frame: y-up glTF becomes z-up, (x, y, z) → (x, -z, y).
-/// Errors: not readable, not glTF 2, damaged, compressed (Draco, meshopt) or sparse data; nested too deep;
-/// more vertices than 4 million and 4 for each byte of the buffers, since many nodes draw the same data.
+/// attributes of all component types, sparse ones, too; data compressed by meshoptimizer; texture transforms.
+/// Frame: y-up glTF becomes z-up, (x, y, z) → (x, -z, y).
+/// Errors: not readable, not glTF 2, damaged; an extension is required that is not read (Draco); nested too
+/// deep; more vertices than 4 million and 4 for each byte of the buffers, since many nodes draw the same
+/// data.
 /// Source: Khronos, *glTF 2.0 specification* (2021), sections 3.6 (accessors) and 3.7 (primitives,
 /// attributes).
 foundation::Result<GltfModel> readGltf(const std::filesystem::path& file);

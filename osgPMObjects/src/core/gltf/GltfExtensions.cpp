@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "GltfExtensions.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "GltfMeshopt.h"
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+using nlohmann::json;
+
+enum class Reading
+{
+    whole,       ///< all of the extension is read
+    approximate, ///< the surface is the same without it, only its look differs
+    none,
+};
+
+Reading readingOf(std::string_view extension)
+{
+    constexpr std::array kWhole{std::string_view("KHR_mesh_quantization"),
+                                std::string_view("KHR_texture_transform"), kMeshoptExtensions[0],
+                                kMeshoptExtensions[1]};
+    if (std::find(kWhole.begin(), kWhole.end(), extension) != kWhole.end()) return Reading::whole;
+    if (extension.starts_with("KHR_materials_") || extension == "KHR_lights_punctual")
+        return Reading::approximate;
+    return Reading::none;
+}
+
+/// Where the JSON of a file stands: all of a .gltf, the first chunk of a .glb.
+struct JsonPlace
+{
+    std::size_t offset = 0, length = 0;
+    bool isBinary = false;
+};
+
+std::uint32_t numberAt(const std::string& bytes, std::size_t offset)
+{
+    std::uint32_t number = 0; // little endian, as all that we run on
+    std::memcpy(&number, bytes.data() + offset, sizeof number);
+    return number;
+}
+
+std::optional<JsonPlace> jsonPlaceOf(const std::string& bytes)
+{
+    if (!bytes.starts_with("glTF")) return JsonPlace{0, bytes.size(), false};
+    if (bytes.size() < 20) return {};
+    const JsonPlace place{20, numberAt(bytes, 12), true};
+    if (place.length > bytes.size() - place.offset) return {};
+    return place;
+}
+
+/// Puts another JSON in; the sizes of a .glb follow.
+void replaceJson(std::string& bytes, const JsonPlace& place, std::string text)
+{
+    if (place.isBinary) text.resize((text.size() + 3) / 4 * 4, ' ');
+    bytes.replace(place.offset, place.length, text);
+    if (!place.isBinary) return;
+    const auto all = static_cast<std::uint32_t>(bytes.size()),
+               chunk = static_cast<std::uint32_t>(text.size());
+    std::memcpy(bytes.data() + 8, &all, sizeof all);
+    std::memcpy(bytes.data() + 12, &chunk, sizeof chunk);
+}
+
+const json* memberOf(const json& object, const char* name)
+{
+    const auto found = object.is_object() ? object.find(name) : object.end();
+    return object.is_object() && found != object.end() ? &*found : nullptr;
+}
+
+json* arrayOf(json& object, const char* name)
+{
+    const auto found = object.find(name);
+    return found != object.end() && found->is_array() ? &*found : nullptr;
+}
+
+std::vector<std::string> namesIn(const json& model, const char* list)
+{
+    std::vector<std::string> names;
+    if (const json* const entries = memberOf(model, list); entries && entries->is_array())
+        for (const json& entry : *entries)
+            if (entry.is_string()) names.push_back(entry.get<std::string>());
+    return names;
+}
+
+foundation::Outcome checkNames(const json& model, const std::string& name, GltfReport& report)
+{
+    for (const std::string& extension : namesIn(model, "extensionsRequired"))
+        if (readingOf(extension) == Reading::none)
+            return foundation::Error{name, "requires the extension " + extension + ", which is not read",
+                                     "export the model again without it"};
+    for (const std::string& extension : namesIn(model, "extensionsUsed"))
+        if (readingOf(extension) != Reading::whole) report.leftOutExtensions.push_back(extension);
+    return foundation::success();
+}
+
+/// The data of such a buffer are those that its views decompress.
+bool isStandIn(const json& buffer)
+{
+    const json* const extensions = memberOf(buffer, "extensions");
+    if (!extensions || memberOf(buffer, "uri")) return false;
+    return std::any_of(kMeshoptExtensions.begin(), kMeshoptExtensions.end(),
+                       [&](std::string_view extension)
+                       { return memberOf(*extensions, std::string(extension).c_str()) != nullptr; });
+}
+
+bool fillStandIns(json& model)
+{
+    bool isChanged = false;
+    if (json* const buffers = arrayOf(model, "buffers"))
+        for (json& buffer : *buffers)
+            if (isStandIn(buffer))
+            {
+                buffer["uri"] = "data:application/octet-stream;base64,AA==";
+                buffer["byteLength"] = 1;
+                isChanged = true;
+            }
+    return isChanged;
+}
+
+/// Gives accessors that are indices, sparse and without a view one of no bytes.
+bool giveViews(json& model)
+{
+    json* const accessors = arrayOf(model, "accessors");
+    json* const meshes = arrayOf(model, "meshes");
+    if (!accessors || !meshes) return false;
+    bool isChanged = false;
+    for (const json& mesh : *meshes)
+        if (const json* const primitives = memberOf(mesh, "primitives"); primitives && primitives->is_array())
+            for (const json& primitive : *primitives)
+            {
+                const json* const indices = memberOf(primitive, "indices");
+                if (!indices || !indices->is_number_unsigned() || *indices >= accessors->size()) continue;
+                json& accessor = (*accessors)[indices->get<std::size_t>()];
+                if (!memberOf(accessor, "sparse") || memberOf(accessor, "bufferView")) continue;
+                json& views = model["bufferViews"];
+                if (!views.is_null() && !views.is_array()) continue;
+                accessor["bufferView"] = views.size();
+                views.push_back({{"buffer", 0}, {"byteLength", 0}});
+                isChanged = true;
+            }
+    return isChanged;
+}
+
+} // namespace
+
+foundation::Outcome prepareExtensions(std::string& bytes, const std::string& name, GltfReport& report)
+{
+    const auto place = jsonPlaceOf(bytes);
+    if (!place) return foundation::success();
+    const std::string_view text = std::string_view(bytes).substr(place->offset, place->length);
+    if (text.find("\"extensions") == text.npos && text.find("\"sparse\"") == text.npos)
+        return foundation::success();
+    constexpr int kDeepest = 512; // the library writes by recursion
+    bool isTooDeep = false;
+    const auto watch = [&](int depth, json::parse_event_t, json&)
+    {
+        isTooDeep = isTooDeep || depth > kDeepest;
+        return !isTooDeep;
+    };
+    json model = json::parse(text.begin(), text.end(), watch, false);
+    if (!model.is_object() || isTooDeep) return foundation::success();
+    if (const auto checked = checkNames(model, name, report); !checked) return checked;
+    const bool hasStandIns = fillStandIns(model), hasViews = giveViews(model);
+    if (hasStandIns || hasViews)
+        replaceJson(bytes, *place, model.dump(-1, ' ', false, json::error_handler_t::replace));
+    return foundation::success();
+}
+
+} // namespace osgPMObjects::core
