@@ -48,10 +48,10 @@ foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const s
                                  "use .osgb, .osgt or .ive"};
     const osg::ref_ptr<osg::Group> root = osgPMObjects::exportNode(model.mesh, model.states);
     if (model.remainder->getNumChildren() > 0) root->addChild(model.remainder);
-    std::string hint = "WriteImageHint=IncludeData";
-    if (extension == ".osgt") hint += " Ascii";
     std::ostringstream stream;
-    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options(hint);
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=IncludeData");
+    // A stream has no name, so the serializer is told the kind that it takes from a name's ending elsewhere.
+    if (extension == ".osgt") options->setPluginStringData("fileType", "Ascii");
     if (const auto written = writer->writeNode(*root, stream, options); !written.success())
         return foundation::Error{file.string(), "was not written: " + written.message(),
                                  "use .osgb, .osgt or .ive"};

@@ -67,6 +67,33 @@ TEST(PmToolFiles, CommandsTakeAProgressiveMesh)
     EXPECT_EQ(pmToolTable(place, {"build", pm, "-o", place.path("b.pm")})["models"][0]["triangles"], 4);
 }
 
+/// Each command writes what the name says, and OpenSceneGraph reads it again.
+TEST(PmToolFiles, EveryFormatIsThatOfItsName)
+{
+    const Workplace place;
+    const std::string model = place.write("a.obj", kPyramid);
+    place.write("a.mtl", "newmtl a\nKd 1 0 0\n");
+    for (const auto& [format, beginning] :
+         {std::pair{"osgt", "#Ascii"}, std::pair{"osgb", "\xa1\x0e\x91\x6c"}, std::pair{"ive", ""}})
+        for (const auto& [command, more] :
+             {std::pair{"simplify", Words{"--targets", "100"}}, std::pair{"consolidate", Words{}},
+              std::pair{"bake", Words{"--faces", "4", "--size", "64"}}})
+        {
+            const std::string folder = place.path(std::string(command) + format);
+            Words words{command, model, "--output", folder, "--format", format};
+            words.insert(words.end(), more.begin(), more.end());
+            ASSERT_TRUE(succeeds(runPmTool(words))) << command << ' ' << format;
+            for (const auto& entry : std::filesystem::directory_iterator(folder))
+            {
+                const std::string file = entry.path().string();
+                const std::string bytes = readBytes(file);
+                EXPECT_TRUE(bytes.starts_with(beginning)) << file;
+                EXPECT_EQ(bytes.find('\0') == bytes.npos, format == std::string("osgt")) << file;
+                EXPECT_EQ(pmToolTable(place, {"info", file})["models"][0]["triangles"], 4) << file;
+            }
+        }
+}
+
 /// A grid of squares, with enough steps for several sections.
 std::string grid()
 {
