@@ -61,6 +61,7 @@ nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
         row["parts"].push_back(
             {{"samples", sheet.table().size()},
              {"spacingNorthM", field.spacingNorthM * sheet.step() / tile.grid().cellSide()}});
+    if (!field.notes.empty()) row["notes"] = field.notes;
     row["missing"] = samples.size() - samplesThere(tile);
     row["georeferenced"] = field.net.has_value();
     if (field.net)

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include <cpl_conv.h>
@@ -67,6 +70,44 @@ TEST(DemErrors, SeveralBandsAndPalettesAreNoElevation)
     EXPECT_THAT(refusal(folder / "complex.tif"), HasSubstr("complex numbers"));
 }
 
+/// Swaps the first two entries of a TIFF's directory, of which GDAL warns.
+void unsortTags(const std::filesystem::path& file)
+{
+    std::string bytes = readBytes(file);
+    std::uint32_t directory = 0;
+    std::memcpy(&directory, bytes.data() + 4, sizeof directory);
+    std::swap_ranges(bytes.begin() + directory + 2, bytes.begin() + directory + 14,
+                     bytes.begin() + directory + 14);
+    writeBytes(file, bytes);
+}
+
+TEST(DemErrors, WhatGdalWarnsOfIsToldOnceWithTheFile)
+{
+    const TemporaryFolder folder;
+    writeRaster(folder / "plain.tif", "GTiff", example());
+    const auto plain = importDem(folder / "plain.tif");
+    ASSERT_TRUE(plain);
+    EXPECT_TRUE(plain->notes.empty()) << plain->notes[0];
+    unsortTags(folder / "plain.tif");
+    const auto unsorted = importDem(folder / "plain.tif");
+    ASSERT_TRUE(unsorted) << unsorted.error().message();
+    ASSERT_EQ(unsorted->notes.size(), 1u);
+    EXPECT_THAT(unsorted->notes[0], HasSubstr("plain.tif: GDAL warns: "));
+    EXPECT_THAT(unsorted->notes[0], HasSubstr("not sorted"));
+}
+
+TEST(DemErrors, AGridByControlPointsIsRefused)
+{
+    const TemporaryFolder folder;
+    writeBytes(
+        folder / "points.vrt",
+        "<VRTDataset rasterXSize='2' rasterYSize='2'><GCPList Projection='EPSG:4326'>"
+        "<GCP Id='1' Pixel='0' Line='0' X='8' Y='46'/><GCP Id='2' Pixel='2' Line='0' X='8.1' Y='46.1'/>"
+        "<GCP Id='3' Pixel='0' Line='2' X='8.2' Y='45.7'/></GCPList>"
+        "<VRTRasterBand dataType='Float32' band='1'/></VRTDataset>");
+    EXPECT_THAT(refusal(folder / "points.vrt"), HasSubstr("placed by control points"));
+}
+
 TEST(DemErrors, ARotatedGridIsRefusedAndAStraightOneIsNot)
 {
     const TemporaryFolder folder;
@@ -75,6 +116,12 @@ TEST(DemErrors, ARotatedGridIsRefusedAndAStraightOneIsNot)
     (*spec.geoTransform)[4] = 1e-4;
     writeRaster(folder / "rotated.tif", "GTiff", spec);
     EXPECT_THAT(refusal(folder / "rotated.tif"), HasSubstr("rotated"));
+    spec = example();
+    (*spec.geoTransform)[2] = (*spec.geoTransform)[1];
+    (*spec.geoTransform)[4] = (*spec.geoTransform)[1];
+    (*spec.geoTransform)[1] = (*spec.geoTransform)[5] = 0.0;
+    writeRaster(folder / "quarter.tif", "GTiff", spec);
+    EXPECT_THAT(refusal(folder / "quarter.tif"), HasSubstr("rotated")) << "a quarter turn";
     writeRaster(folder / "straight.tif", "GTiff", example());
     EXPECT_TRUE(importDem(folder / "straight.tif"));
 }

@@ -86,6 +86,7 @@ Result<HeightField> import(std::span<const std::filesystem::path> files, const D
     if (raster->implausible)
         field.voids.method +=
             "; " + std::to_string(raster->implausible) + " of them for heights outside -12000 to 9000 m";
+    field.notes = gdal.notes();
     return field;
 }
 

@@ -10,16 +10,33 @@
 namespace osgTerrainROAM::core
 {
 
+namespace
+{
+
+/// Returns a message without line ends, and without dots and spaces at its own end.
+std::string onOneLine(std::string text)
+{
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    while (!text.empty() && (text.back() == ' ' || text.back() == '.'))
+        text.pop_back();
+    return text;
+}
+
+} // namespace
+
 GdalSession::GdalSession()
 {
     setOption("CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO");
     setOption("GDAL_PAM_ENABLED", "NO");
     setOption("GTIFF_REPORT_COMPD_CS", "YES");
+    setOption("GTIFF_HONOUR_NEGATIVE_SCALEY", "YES"); // by default GDAL takes such a file for north-up
     CPLPushErrorHandlerEx(
         [](CPLErr severity, CPLErrorNum, const char* message)
         {
-            if (severity >= CE_Failure)
-                static_cast<GdalSession*>(CPLGetErrorHandlerUserData())->record(message);
+            auto* const session = static_cast<GdalSession*>(CPLGetErrorHandlerUserData());
+            if (severity >= CE_Failure) session->record(message);
+            if (severity == CE_Warning) session->note("GDAL warns: " + onOneLine(message));
         },
         this);
     GDALAllRegister(); // does nothing when done before
@@ -43,12 +60,15 @@ void GdalSession::setOption(const char* name, const char* value)
 void GdalSession::record(const char* message)
 {
     if (hasFailed()) return;
-    _firstError = message;
-    std::replace_if(
-        _firstError.begin(), _firstError.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    while (!_firstError.empty() && (_firstError.back() == ' ' || _firstError.back() == '.'))
-        _firstError.pop_back();
+    _firstError = onOneLine(message);
     if (_firstError.empty()) _firstError = "GDAL gave no reason";
+}
+
+void GdalSession::note(const std::string& text)
+{
+    std::string line = _file.empty() ? text : _file + ": " + text;
+    if (_notes.size() < kMostNotes && std::find(_notes.begin(), _notes.end(), line) == _notes.end())
+        _notes.push_back(std::move(line));
 }
 
 } // namespace osgTerrainROAM::core

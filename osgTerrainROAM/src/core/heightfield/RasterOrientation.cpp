@@ -37,7 +37,12 @@ void flipColumns(Raster& raster)
 foundation::Result<RasterTurn> readOrientation(const std::string& name, GDALDatasetH dataset, Raster& raster)
 {
     double t[6];
-    if (GDALGetGeoTransform(dataset, t) != CE_None) return RasterTurn{true, false}; // images begin at the top
+    if (GDALGetGeoTransform(dataset, t) != CE_None)
+    {
+        if (GDALGetGCPCount(dataset) > 0)
+            return Error{name, "is placed by control points, not as a grid", "straighten it with gdalwarp"};
+        return RasterTurn{true, false}; // images begin at the top
+    }
     const double size = std::max({std::abs(t[1]), std::abs(t[2]), std::abs(t[4]), std::abs(t[5])});
     if (!std::isfinite(size) || !std::isfinite(t[0]) || !std::isfinite(t[3]))
         return Error{name, "has a georeference that is no number", "assign one with gdal_translate -a_ullr"};

@@ -19,7 +19,7 @@ struct RasterTurn
 
 /// Reads the georeference of a dataset into raster.frame, without touching samples. `raster`: columns and
 /// rows are known.
-/// Errors: a rotated grid, an invalid georeference.
+/// Errors: a rotated grid, one placed by control points, an invalid georeference.
 foundation::Result<RasterTurn> readOrientation(const std::string& name, GDALDatasetH dataset, Raster& raster);
 
 /// Reads the georeference of a dataset and reorders the samples from file order so that rows run north and

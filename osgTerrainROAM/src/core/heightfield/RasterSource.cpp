@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "RasterSource.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstdlib>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include <cpl_conv.h>
@@ -17,11 +22,55 @@ using foundation::Error;
 using foundation::Outcome;
 using foundation::Result;
 
+namespace
+{
+
+/// What a file is that is no raster, by its name's ending, and which command takes it.
+struct OtherKind
+{
+    std::string_view ending, what, remedy;
+};
+
+constexpr std::array kOtherKinds = {
+    OtherKind{".pbf", "is a map of OpenStreetMap", "worldtool build ELEVATION --map FILE takes it"},
+    OtherKind{".osm", "is a map of OpenStreetMap", "worldtool build ELEVATION --map FILE takes it"},
+    OtherKind{".osm.gz", "is a map of OpenStreetMap", "worldtool build ELEVATION --map FILE takes it"},
+    OtherKind{".osm.bz2", "is a map of OpenStreetMap", "worldtool build ELEVATION --map FILE takes it"},
+    OtherKind{".xosc", "is a scenario", "trainer play FILE takes it"},
+    OtherKind{".xodr", "is a road network", "trainer drive FILE and roadtool take it"},
+    OtherKind{".igc", "is a recorded flight", "trainer play FILE takes it"},
+    OtherKind{".gpx", "is a recording", "trainer play FILE takes it"},
+    OtherKind{".kml", "is a recording", "trainer play FILE takes it"},
+    OtherKind{".kmz", "is a recording", "trainer play FILE takes it"},
+    OtherKind{".pm", "is a model", "pmtool takes it"},
+    OtherKind{".obj", "is a model", "pmtool takes it"},
+    OtherKind{".glb", "is a model", "pmtool takes it"},
+    OtherKind{".gltf", "is a model", "pmtool takes it"},
+    OtherKind{".las", "is a cloud of points", "make a raster of it first, with PDAL or gdal_grid"},
+    OtherKind{".laz", "is a cloud of points", "make a raster of it first, with PDAL or gdal_grid"},
+    OtherKind{".shp", "is a map of vectors", "worldtool build ELEVATION --map FOLDER takes it"},
+};
+
+std::optional<Error> otherKindOf(const std::filesystem::path& file)
+{
+    std::string name = file.filename().string();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    for (const OtherKind& kind : kOtherKinds)
+        if (name.ends_with(kind.ending))
+            return Error{file.string(), std::string(kind.what) + ", no raster of heights",
+                         std::string(kind.remedy)};
+    return {};
+}
+
+} // namespace
+
 Result<RasterSource> openSource(const std::filesystem::path& file, GdalSession& gdal)
 {
     Result<std::vector<std::string>> paths = rasterPaths(file);
     if (!paths) return paths.error();
     std::string reason;
+    gdal.setFile(file.string());
     for (const std::string& path : *paths)
     {
         gdal.clear();
@@ -31,6 +80,7 @@ Result<RasterSource> openSource(const std::filesystem::path& file, GdalSession& 
         if (dataset && !gdal.hasFailed()) return RasterSource{file.string(), path, std::move(dataset)};
         if (reason.empty()) reason = gdal.firstError();
     }
+    if (const auto other = otherKindOf(file)) return *other;
     const bool isSrtm = file.string().find(".hgt") != std::string::npos;
     return Error{file.string(), "is damaged or in no format that GDAL reads (" + reason + ")",
                  isSrtm ? "fetch it again, and keep its name: SRTM files are called like N46E008.hgt"

@@ -74,7 +74,8 @@ struct HeightField
     std::optional<GeodeticNet> net; ///< absent: no georeference; then a plane with the spacings above
     VoidReport voids;
     MosaicReport mosaic;
-    std::vector<DensePart> parts; ///< coarse before fine; where they overlap the later one counts
+    std::vector<std::string> notes; ///< what GDAL warned of, and what else is unusual; one line each
+    std::vector<DensePart> parts;   ///< coarse before fine; where they overlap the later one counts
     SampleMask measured; ///< tells which samples come from the data; the others were voids and are filled
     SampleMask
         mask; ///< tells which samples exist; the others have a height only so that the grid is complete
