@@ -51,6 +51,7 @@ struct ViewSetup
     double nearM = 0.5;
     double farM = 200'000.0;
     std::vector<Channel> channels;
+    std::vector<std::string> notes; ///< what is unusual in the view file
 };
 
 /// Returns a symmetric field of view for square pixels, from the horizontal or the vertical angle.

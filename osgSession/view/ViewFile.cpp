@@ -2,10 +2,14 @@
 #include "view/ViewFile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
+#include <foundation/NearestWord.h>
 #include <pugixml.hpp>
 
 #include "simulation/parser/Expression.h"
@@ -52,10 +56,12 @@ private:
     Channel channel(pugi::xml_node node);
     FrustumAngles frustum(pugi::xml_node node, const Channel& channel);
     FrustumAngles offAxis(pugi::xml_node node);
+    void noteRadians(pugi::xml_node node, const char* attribute);
     void checkChannels(pugi::xml_node root, const ViewSetup& setup);
 
     const simulation::XmlSource& _source;
     std::optional<Error> _error;
+    std::vector<std::string> _notes;
 };
 
 void ViewReader::fail(pugi::xml_node node, const std::string& what, const std::string& remedy)
@@ -69,11 +75,13 @@ void ViewReader::allow(pugi::xml_node node, std::initializer_list<std::string_vi
     const std::string element = node.name();
     for (const pugi::xml_attribute attribute : node.attributes())
         if (std::find(attributes.begin(), attributes.end(), attribute.name()) == attributes.end())
-            fail(node, element + " has no attribute '" + attribute.name() + "'", "remove it");
+            fail(node, element + " has no attribute '" + attribute.name() + "'",
+                 foundation::didYouMean(attribute.name(), attributes, "remove it"));
     for (const pugi::xml_node child : node.children())
         if (child.type() == pugi::node_element &&
             std::find(children.begin(), children.end(), child.name()) == children.end())
-            fail(child, element + " has no element '" + child.name() + "'", "remove it");
+            fail(child, element + " has no element '" + child.name() + "'",
+                 foundation::didYouMean(child.name(), children, "remove it"));
 }
 
 double ViewReader::number(pugi::xml_node node, const char* attribute, const Range& range,
@@ -113,6 +121,19 @@ FrustumAngles ViewReader::offAxis(pugi::xml_node node)
     return angles;
 }
 
+/// A field of few degrees is rare, and as many radians are a usual one.
+void ViewReader::noteRadians(pugi::xml_node node, const char* attribute)
+{
+    constexpr double kMostRadians = 3.0, kDegPerRad = 57.29577951308232;
+    if (!node.attribute(attribute)) return;
+    const double value = number(node, attribute, kFields);
+    if (_error || value > kMostRadians) return;
+    _notes.push_back(_source.name() + ":" + std::to_string(_source.lineOf(node)) + ": " + attribute + " is " +
+                     simulation::formatNumber(value) +
+                     " degrees, a very small field; in radians it would be " +
+                     simulation::formatNumber(std::round(10.0 * kDegPerRad * value) / 10.0) + " degrees");
+}
+
 FrustumAngles ViewReader::frustum(pugi::xml_node node, const Channel& channel)
 {
     const pugi::xml_node edges = node.child("Frustum");
@@ -124,6 +145,8 @@ FrustumAngles ViewReader::frustum(pugi::xml_node node, const Channel& channel)
              "give one of fovXDeg, fovYDeg and Frustum");
     if (_error) return {};
     if (edges) return offAxis(edges);
+    for (const char* field : {"fovXDeg", "fovYDeg"})
+        noteRadians(node, field);
     if (node.attribute("fovXDeg"))
         return symmetricFrustumX(number(node, "fovXDeg", kFields), channel.widthPx, channel.heightPx);
     return symmetricFrustumY(number(node, "fovYDeg", kFields), channel.widthPx, channel.heightPx);
@@ -197,6 +220,7 @@ Result<ViewSetup> ViewReader::read()
     for (const pugi::xml_node node : root.children("Channel"))
         setup.channels.push_back(channel(node));
     checkChannels(root, setup);
+    setup.notes = std::move(_notes);
     if (_error) return *_error;
     return setup;
 }

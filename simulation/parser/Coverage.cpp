@@ -6,7 +6,7 @@
 #include <array>
 #include <unordered_map>
 
-#include "simulation/parser/NearestWord.h"
+#include <foundation/NearestWord.h>
 
 namespace simulation
 {
@@ -342,7 +342,7 @@ const ElementCoverage* coverageOf(std::string_view element)
 
 std::optional<std::string_view> likeElement(std::string_view misspelt)
 {
-    return nearestWord(misspelt, kElements, [](const ElementCoverage& row) { return row.name; });
+    return foundation::nearestWord(misspelt, kElements, [](const ElementCoverage& row) { return row.name; });
 }
 
 } // namespace simulation

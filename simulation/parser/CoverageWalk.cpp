@@ -2,7 +2,6 @@
 #include "simulation/parser/CoverageWalk.h"
 
 #include "simulation/parser/Coverage.h"
-#include "simulation/parser/NearestWord.h"
 
 namespace simulation
 {

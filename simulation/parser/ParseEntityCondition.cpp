@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <foundation/NearestWord.h>
+
 #include "simulation/parser/ElementParsers.h"
-#include "simulation/parser/NearestWord.h"
 
 namespace simulation
 {
@@ -125,8 +126,9 @@ std::string parseEntityRef(ElementReader& reader, const char* attribute)
     std::string name = reader.text(attribute);
     if (reader.node && !reader.context.entityNames.contains(name))
     {
-        const auto like = nearestWord(name, reader.context.entityNames,
-                                      [](const std::string& known) { return std::string_view(known); });
+        const auto like =
+            foundation::nearestWord(name, reader.context.entityNames,
+                                    [](const std::string& known) { return std::string_view(known); });
         reader.context.invalid(reader.node, "the entity " + name + " does not exist",
                                like ? "did you mean " + std::string(*like) + "?"
                                     : std::string("name one of Entities"));

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <foundation/Excerpt.h>
+#include <foundation/NearestWord.h>
 
 namespace simulation
 {
@@ -143,7 +144,7 @@ void VehicleFileReader::onlyAttributes(pugi::xml_node node, std::string_view nam
         if (padded.find(std::string(" ") + attribute.name() + " ") == std::string::npos)
             fail(node,
                  std::string("<") + node.name() + "> has an unknown attribute '" + attribute.name() + "'",
-                 lists());
+                 lists(attribute.name(), padded));
 }
 
 void VehicleFileReader::onlyElements(pugi::xml_node root, std::string_view names)
@@ -155,9 +156,14 @@ void VehicleFileReader::onlyElements(pugi::xml_node root, std::string_view names
     {
         if (node.type() != pugi::node_element || std::string_view(node.name()) == "source") continue;
         if (padded.find(std::string(" ") + node.name() + " ") == std::string::npos)
-            fail(node, std::string("<") + node.name() + "> is unknown", lists());
+            fail(node, std::string("<") + node.name() + "> is unknown", lists(node.name(), padded));
         checkSource(node);
     }
+}
+
+std::string VehicleFileReader::lists(std::string_view misspelt, std::string_view names) const
+{
+    return foundation::didYouMean(misspelt, names, "remove it; " + std::string(_page) + " lists all");
 }
 
 void VehicleFileReader::listSource(pugi::xml_node node)

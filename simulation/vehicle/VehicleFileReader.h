@@ -55,7 +55,8 @@ public:
 private:
     void listSource(pugi::xml_node node);
     void checkSource(pugi::xml_node node);
-    std::string lists() const { return "remove it; " + std::string(_page) + " lists all"; }
+    /// The remedy for an unknown name among those that there are.
+    std::string lists(std::string_view misspelt, std::string_view names) const;
 
     const foundation::XmlSource& _source;
     std::string_view _page;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlayPlaces.h"
 
+#include <iostream>
+
 #include "input/DeviceFile.h"
 #include "input/KeyScript.h"
 #include "scene/SceneScenery.h"
@@ -17,7 +19,12 @@ namespace
 foundation::Outcome checkSmallFiles(const PlayRequest& request)
 {
     if (const auto& view = request.frames.viewFile; !view.empty())
-        if (const auto read = readView(view); !read) return read.error();
+    {
+        const auto read = readView(view);
+        if (!read) return read.error();
+        for (const std::string& note : read->notes)
+            std::cout << "note: " << note << '\n';
+    }
     if (const auto& keys = request.window.keysFile; !keys.empty())
         if (const auto read = readKeyScript(keys); !read) return read.error();
     if (const auto& devices = request.window.devicesFile; !devices.empty())

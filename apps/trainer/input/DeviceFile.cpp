@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include <foundation/Excerpt.h>
+#include <foundation/NearestWord.h>
 #include <foundation/WholeText.h>
 
 #include "input/Keys.h"
 #include "input/LineReader.h"
+#include "simulation/vehicle/flight/FlightInputs.h"
+#include "simulation/vehicle/road/RoadInputs.h"
 
 namespace trainer
 {
@@ -27,6 +30,21 @@ std::string lower(std::string_view text)
     std::transform(low.begin(), low.end(), low.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     return low;
+}
+
+/// The inputs of all vehicles, and both brakes together. Those of JSBSim have a '/' in them.
+std::vector<std::string_view> inputNames()
+{
+    std::vector<std::string_view> names{"brakes"};
+    names.insert(names.end(), simulation::kFlightInputNames.begin(), simulation::kFlightInputNames.end());
+    names.insert(names.end(), simulation::kRoadInputNames.begin(), simulation::kRoadInputNames.end());
+    return names;
+}
+
+bool isInput(std::string_view name)
+{
+    const auto names = inputNames();
+    return name.find('/') != name.npos || std::find(names.begin(), names.end(), name) != names.end();
 }
 
 class DeviceReader
@@ -88,6 +106,10 @@ private:
                              "write inverted, dead 0 to 0.9 or curve 0.1 to 10");
             ++i;
         }
+        if (!isInput(cells[2]))
+            return wrong(
+                line, "there is no input '" + foundation::excerpt(cells[2]) + "'",
+                foundation::didYouMean(cells[2], inputNames(), "docs/reference/inputs-file.md lists all"));
         maps.back().axes.push_back(std::move(axis));
         return foundation::success();
     }

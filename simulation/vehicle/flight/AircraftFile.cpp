@@ -2,7 +2,10 @@
 #include "simulation/vehicle/flight/AircraftFile.h"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "simulation/vehicle/VehicleFileReader.h"
 #include "simulation/vehicle/flight/FlightModel.h"
@@ -145,6 +148,22 @@ void readContact(VehicleFileReader& reader, pugi::xml_node node, bool isWheel, A
     data.contacts.push_back(std::move(contact));
 }
 
+/// An aircraft's centre of mass is nearer to what it stands on than its span. One in inches or millimetres is
+/// not.
+void checkCentre(VehicleFileReader& reader, pugi::xml_node root, const AircraftData& data)
+{
+    if (data.contacts.empty()) return;
+    double nearestM = 1e9;
+    for (const ContactData& contact : data.contacts)
+        nearestM = std::min(nearestM, glm::distance(contact.place, data.empty.place));
+    if (nearestM <= std::max(data.wingSpanM, 2.0)) return;
+    std::ostringstream what;
+    what.precision(3);
+    what << "the centre of mass of <empty> lies " << nearestM
+         << " m from the nearest wheel or skid, and the wings span " << data.wingSpanM << " m";
+    reader.fail(root.child("empty"), what.str(), "give xM, yM and zM in metres (1 inch is 0.0254 m)");
+}
+
 /// The place of a name in a list of names, or the list's length.
 template<std::size_t N>
 std::size_t indexOf(const std::array<std::string_view, N>& names, std::string_view name)
@@ -214,6 +233,7 @@ foundation::Result<AircraftData> readSource(const foundation::XmlSource& source)
         readContact(reader, node, true, data);
     for (const pugi::xml_node node : root.children("skid"))
         readContact(reader, node, false, data);
+    if (!reader.error()) checkCentre(reader, root, data);
     if (!reader.error()) readCoefficients(reader, root, data);
     if (reader.error()) return *reader.error();
     return data;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 
 #include <foundation/Angle.h>
 #include <foundation/Earth.h>
@@ -216,6 +218,33 @@ foundation::Result<Vector> Search::run() const
     return x;
 }
 
+/// The error that tells by how much an engine is too weak for a climb angle, or nothing where it is not.
+std::optional<foundation::Error> lackOfPower(const AircraftData& aircraft, const EarthFrame& earth,
+                                             const AirSample& air, TrimTarget target)
+{
+    if (target.throttle) return {};
+    const double wantedDeg = target.pathDeg;
+    target.throttle = 1.0;
+    const Search search(aircraft, earth, air, target);
+    const foundation::Result<Vector> found = search.run();
+    if (!found) return {};
+    const double pathDeg = search.flightOf(*found).pathDeg;
+    if (pathDeg >= wantedDeg) return {};
+    const auto text = [](const char* format, auto... values)
+    {
+        char line[160];
+        std::snprintf(line, sizeof line, format, values...);
+        return std::string(line);
+    };
+    const double speed = target.trueAirspeedMps;
+    const auto rise = [&](double deg) { return speed * std::sin(foundation::radiansOf(deg)); };
+    return foundation::Error{
+        "trim",
+        text("power lacks for steady flight at %.0f m/s: with full throttle the aircraft %s at %.1f m/s",
+             speed, pathDeg < 0.0 ? "sinks" : "climbs", std::abs(rise(pathDeg))),
+        "choose a lower height, or another speed"};
+}
+
 } // namespace
 
 foundation::Result<TrimmedFlight> trim(const AircraftData& aircraft, const EarthFrame& earth,
@@ -226,6 +255,8 @@ foundation::Result<TrimmedFlight> trim(const AircraftData& aircraft, const Earth
                                  "give more than 1 m/s and less than 80°"};
     const Search search(aircraft, earth, air, target);
     const foundation::Result<Vector> found = search.run();
+    if (!found || search.throttleOf(*found) > 1.0)
+        if (const auto weak = lackOfPower(aircraft, earth, air, target)) return *weak;
     if (!found) return found.error();
     const auto beyond = [](const char* what)
     {

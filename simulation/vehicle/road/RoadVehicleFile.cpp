@@ -2,7 +2,9 @@
 #include "simulation/vehicle/road/RoadVehicleFile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <sstream>
 
 #include "simulation/vehicle/VehicleFileReader.h"
 
@@ -238,6 +240,21 @@ void readPerformance(VehicleFileReader& reader, pugi::xml_node root, Performance
                    reader.number(node, "lateralTolerance", 0.0, 1.0)};
 }
 
+/// Brakes that hardly slow a vehicle are a mistake of unit or digits.
+void checkBrakes(VehicleFileReader& reader, pugi::xml_node root, const RoadVehicleData& data)
+{
+    constexpr double kLeastMps2 = 1.0, kUsualMps2 = 9.0;
+    const double perMps2 = massProperties(data).massKg * data.axles[0].tyre.radiusM; // Nm
+    if (data.brakes.mostNm >= kLeastMps2 * perMps2) return;
+    std::ostringstream what, remedy;
+    what.precision(2);
+    what << "<brakes> mostNm of " << data.brakes.mostNm << " slows the vehicle by "
+         << data.brakes.mostNm / perMps2 << " m/s² at most";
+    remedy << "give the torque of all wheels together, here about "
+           << std::lround(kUsualMps2 * perMps2 / 100.0) * 100 << " Nm";
+    reader.fail(root.child("brakes"), what.str(), remedy.str());
+}
+
 foundation::Result<RoadVehicleData> readRoadSource(const foundation::XmlSource& source)
 {
     VehicleFileReader reader(source, kRoadPage);
@@ -263,6 +280,7 @@ foundation::Result<RoadVehicleData> readRoadSource(const foundation::XmlSource& 
         if (front <= 0.0 || rear <= 0.0)
             reader.fail(root, "its centre of mass does not lie between the axles",
                         "correct the masses' places");
+        checkBrakes(reader, root, data);
     }
     if (reader.error()) return *reader.error();
     return data;

@@ -72,16 +72,26 @@ TEST_P(DeviceMistakes, AreToldWithTheirLine)
     EXPECT_NE(maps.error().what.find(GetParam().what), std::string::npos) << maps.error().message();
 }
 
-INSTANTIATE_TEST_SUITE_P(All, DeviceMistakes,
-                         testing::Values(DeviceMistake{"axis 0 x\n", "devices:2", "before any device"},
-                                         DeviceMistake{"device\n", "devices:2", "without a name"},
-                                         DeviceMistake{"device *\naxis x y\n", "devices:3", "no axis"},
-                                         DeviceMistake{"device *\naxis 1.5 y\n", "devices:3", "no axis"},
-                                         DeviceMistake{"device *\naxis 0 y dead 1\n", "devices:3", "'dead'"},
-                                         DeviceMistake{"device *\naxis 0 y curve\n", "devices:3", "'curve'"},
-                                         DeviceMistake{"device *\nbutton 1 Foo\n", "devices:3",
-                                                       "no key 'Foo'"},
-                                         DeviceMistake{"device *\nhat 1 Up\n", "devices:3", "no word"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, DeviceMistakes,
+    testing::Values(DeviceMistake{"axis 0 x\n", "devices:2", "before any device"},
+                    DeviceMistake{"device\n", "devices:2", "without a name"},
+                    DeviceMistake{"device *\naxis x y\n", "devices:3", "no axis"},
+                    DeviceMistake{"device *\naxis 1.5 y\n", "devices:3", "no axis"},
+                    DeviceMistake{"device *\naxis 0 y dead 1\n", "devices:3", "'dead'"},
+                    DeviceMistake{"device *\naxis 0 y curve\n", "devices:3", "'curve'"},
+                    DeviceMistake{"device *\naxis 0 stearing\n", "devices:3", "no input 'stearing'"},
+                    DeviceMistake{"device *\nbutton 1 Foo\n", "devices:3", "no key 'Foo'"},
+                    DeviceMistake{"device *\nhat 1 Up\n", "devices:3", "no word"}));
+
+TEST(DeviceFile, AMisspeltInputIsAsked)
+{
+    const auto maps = parseDevices("osgtrainer-devices 1\ndevice *\naxis 0 stearing\n", "devices");
+    ASSERT_FALSE(maps);
+    EXPECT_EQ(maps.error().remedy, "did you mean steering?");
+    EXPECT_TRUE(parseDevices(
+        "osgtrainer-devices 1\ndevice *\naxis 0 brakes\naxis 1 clutch\naxis 2 fcs/hook\n", "devices"));
+}
 
 TEST(DeviceFile, MutationsAreRefusedOrWithinTheirRanges)
 {

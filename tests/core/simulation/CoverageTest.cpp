@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <set>
 
+#include <foundation/NearestWord.h>
 #include <gtest/gtest.h>
 
 #include "ScenarioText.h"
-#include "simulation/parser/NearestWord.h"
 #include "simulation/parser/ParseScenario.h"
 
 namespace simulation
@@ -113,12 +113,15 @@ TEST(Coverage, TellsEveryElementThatIsNotInEffect)
 
 TEST(NearestWord, CountsLettersThatDiffer)
 {
+    using foundation::wordDistance;
     EXPECT_EQ(wordDistance("", "abc"), 3u);
     EXPECT_EQ(wordDistance("speed", "speed"), 0u);
     EXPECT_EQ(wordDistance("Speed", "speed"), 0u);
     EXPECT_EQ(wordDistance("spede", "speed"), 1u) << "neighbours swapped";
     EXPECT_EQ(wordDistance("sped", "speed"), 1u);
     EXPECT_EQ(wordDistance("spxxd", "speed"), 2u);
+    EXPECT_EQ(foundation::didYouMean("masKg", "xM massKg yM", "remove it"), "did you mean massKg?");
+    EXPECT_EQ(foundation::didYouMean("colour", "xM massKg yM", "remove it"), "remove it");
     EXPECT_FALSE(likeElement("Quetzalcoatl"));
     EXPECT_EQ(likeElement("TeleportActoin"), "TeleportAction");
 }

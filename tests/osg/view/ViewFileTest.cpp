@@ -101,6 +101,25 @@ INSTANTIATE_TEST_SUITE_P(
                     Mutation{"topDeg=\"25\"", "topDeg=\"-25\"", "5", "bottomDeg"},
                     Mutation{"bottomDeg=\"-15\"", "bottomDeg=\"-95\"", "5", "bottomDeg"}));
 
+TEST(ViewFile, AFieldInRadiansIsTold)
+{
+    const auto viewOf = [](const std::string& field)
+    {
+        return parseView("<View>\n<Channel name=\"a\" widthPx=\"64\" heightPx=\"48\" " + field + "/></View>",
+                         "small.xml");
+    };
+    for (const char* field : {"fovXDeg=\"1.05\"", "fovYDeg=\"1.05\""})
+    {
+        const auto view = viewOf(field);
+        ASSERT_TRUE(view) << view.error().message();
+        ASSERT_EQ(view->notes.size(), 1u);
+        EXPECT_THAT(view->notes[0], HasSubstr("small.xml:2: fov"));
+        EXPECT_THAT(view->notes[0], HasSubstr("in radians it would be 60.2 degrees"));
+    }
+    EXPECT_TRUE(viewOf("fovXDeg=\"4\"")->notes.empty());
+    EXPECT_EQ(viewOf("fovxDeg=\"60\"").error().remedy, "did you mean fovXDeg?");
+}
+
 TEST(ViewFile, WhatIsNoViewFileIsAnError)
 {
     EXPECT_FALSE(parseView("", "empty.xml"));
