@@ -31,8 +31,10 @@ int run(int argc, char** argv)
     validate->add_flag_callback(
         "--all", [&] { request.mostLines = 0; }, "show every finding, not 20 of each kind");
     CLI::App* draw = add("draw", "the network seen from above", roadtool::draw);
-    draw->add_option("--svg", request.svgFile, "write an SVG image to this file");
-    draw->add_option("--png", request.pngFile, "write a PNG image to this file");
+    draw->add_option("--svg", request.svgFile, "write an SVG image to this file")
+        ->check(terminal::extension(".svg"));
+    draw->add_option("--png", request.pngFile, "write a PNG image to this file")
+        ->check(terminal::extension(".png"));
     draw->add_option("--pixels", request.pixels, "pixels of the longer side (1600)")
         ->check(CLI::Range(16, 16384));
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;

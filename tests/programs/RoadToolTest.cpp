@@ -150,4 +150,15 @@ TEST(RoadTool, TheTopViewShowsLanesInPlace)
     EXPECT_EQ(greyAt(25.0, 1.75), 188);
 }
 
+TEST(RoadTool, APictureInAnotherFormatThanItsNameIsRefused)
+{
+    const Workplace place;
+    const std::string road = soundRoad(place);
+    EXPECT_TRUE(failsWith(runRoadTool({"draw", road, "--png", place.path("x.svg")}), 2, "roadtool",
+                          {"--png", "x.svg", "does not end in .png"}));
+    EXPECT_TRUE(failsWith(runRoadTool({"draw", road, "--svg", place.path("x.png")}), 2, "roadtool",
+                          {"--svg", "x.png", "does not end in .svg"}));
+    EXPECT_FALSE(std::filesystem::exists(place.path("x.svg")));
+}
+
 } // namespace
