@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/player/ScenarioCheck.h"
 
+#include <cstdio>
 #include <optional>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -87,10 +89,11 @@ private:
             if (isGeo && !_frame.canPlace(teleport->position))
                 fail(teleport->source, "a GeoPosition, but the scene has no georeference",
                      "use WorldPosition");
-            if (const auto* lane = std::get_if<LanePosition>(&teleport->position)) onLane(*lane);
-            if (const auto* road = std::get_if<RoadPosition>(&teleport->position))
-                onRoad(road->roadId, road->source);
+            onRoads(teleport->position, "the entity is not placed");
         }
+        if (const auto* acquire = std::get_if<AcquirePositionAction>(&content))
+            onRoads(acquire->position, "nothing is done");
+        if (const auto* assign = std::get_if<AssignRouteAction>(&content)) onRoute(assign->route);
         if (const auto* follow = std::get_if<FollowTrajectoryAction>(&content))
         {
             const std::optional<std::string> obstacle = TrajectoryRun::obstacle(*follow, _frame);
@@ -108,23 +111,58 @@ private:
                  "nothing is done; name the OpenDRIVE file in LogicFile");
     }
 
-    /// Whether there is the road.
-    bool onRoad(const std::string& id, SourceLine source)
+    /// Looks whether a place lies on roads that there are. `instead`: what is done where it does not.
+    template<class Place>
+    void onRoads(const Place& position, const std::string& instead)
     {
-        if (!_roads || _roads->network().roadIndex(id) >= 0) return _roads != nullptr;
-        warn(source, "the road " + id + " does not exist",
-             "the entity is not placed; write the id of a road of the LogicFile");
-        return false;
+        if (const auto* lane = std::get_if<LanePosition>(&position)) onLane(*lane, instead);
+        if (const auto* road = std::get_if<RoadPosition>(&position))
+            onRoad(road->roadId, road->sM, road->source, instead);
+        if constexpr (std::is_same_v<Place, Position>)
+            if (const auto* on = std::get_if<RoutePosition>(&position)) onRoute(on->route);
     }
 
-    void onLane(const LanePosition& position)
+    void onRoute(const Route& route)
     {
-        if (!onRoad(position.roadId, position.source)) return;
+        for (const FixedPosition& waypoint : route.waypoints)
+            onRoads(waypoint, "the route leaves it out");
+    }
+
+    /// Whether there is the road.
+    bool onRoad(const std::string& id, double sM, SourceLine source, const std::string& instead)
+    {
+        const int index = _roads ? _roads->network().roadIndex(id) : -1;
+        if (!_roads) return false;
+        if (index < 0)
+        {
+            warn(source, "the road " + id + " does not exist",
+                 instead + "; write the id of a road of the LogicFile");
+            return false;
+        }
+        constexpr double kBeyondM = 1.0; // lengths are rounded
+        const double lengthM = _roads->network().roads[static_cast<std::size_t>(index)].length;
+        if (sM < -kBeyondM || sM > lengthM + kBeyondM)
+            warn(source,
+                 "s " + metres(sM) + " is beyond the road " + id + ", which is " + metres(lengthM) + " long",
+                 "the end of the road is taken; write an s on it");
+        return true;
+    }
+
+    static std::string metres(double value)
+    {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.6g m", value);
+        return text;
+    }
+
+    void onLane(const LanePosition& position, const std::string& instead)
+    {
+        if (!onRoad(position.roadId, position.sM, position.source, instead)) return;
         if (!_roads->onLane(position.roadId, position.lane, position.sM, 0.0))
             warn(position.source,
                  "the road " + position.roadId + " has no lane " + std::to_string(position.lane) +
                      " at this s",
-                 "the entity is not placed; write the id of a lane there");
+                 instead + "; write the id of a lane there");
     }
 
     static bool isSupported(const FollowTrajectoryAction& follow)
@@ -143,7 +181,12 @@ private:
         if (!content) return;
         for (const ConditionGroup& group : content->groups)
             for (const Condition& condition : group.conditions)
-                if (const auto* state = std::get_if<StoryboardElementStateCondition>(&condition.content))
+                if (const auto* entity = std::get_if<EntityCondition>(&condition.content))
+                {
+                    if (const auto* reach = std::get_if<ReachPositionCondition>(&entity->content))
+                        onRoads(reach->position, "the condition is never true");
+                }
+                else if (const auto* state = std::get_if<StoryboardElementStateCondition>(&condition.content))
                     _references.emplace_back(state, condition.source);
     }
 

@@ -9,9 +9,12 @@
 #include <foundation/WholeFile.h>
 #include <nlohmann/json.hpp>
 
+#include "ScenarioPlace.h"
 #include "simulation/parser/Coverage.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/parser/Variations.h"
+#include "simulation/player/ScenarioPlayer.h"
+#include "simulation/road/ScenarioRoads.h"
 #include "simulation/track/LayRecordings.h"
 #include "terminal/Terminal.h"
 
@@ -34,6 +37,28 @@ struct Finding
     bool isUnreadable = false;
 };
 
+/// Adds what refers to roads, lanes, files or elements that are not there, as a play without a terrain would
+/// find it.
+void addReferences(Finding& finding, const std::filesystem::path& file, simulation::Scenario scenario)
+{
+    const auto add = [&](Problem::Kind kind, const foundation::Error& error) {
+        finding.problems.push_back({kind, error});
+    };
+    if (const auto missing = simulation::missingRoads(scenario, file.parent_path()))
+        return add(Problem::Kind::invalid, *missing);
+    auto roads = simulation::openRoads(scenario, file.parent_path());
+    if (!roads) return add(Problem::Kind::invalid, roads.error());
+    simulation::PlayerOptions options;
+    options.roads = std::move(*roads);
+    if (options.roads) options.projection = simulation::projectionOf(*options.roads);
+    if (!options.projection) options.origin = placeOnEarth(scenario);
+    options.scenarioName = file.string();
+    const auto player = simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
+    if (!player) return add(Problem::Kind::invalid, player.error());
+    for (const foundation::Error& warning : (*player)->warnings())
+        add(Problem::Kind::invalid, warning);
+}
+
 /// Adds what the scenario has. A file that cannot be read at all is one problem.
 void add(Finding& finding, const std::filesystem::path& scenario,
          const std::map<std::string, std::string>& parameters)
@@ -48,7 +73,8 @@ void add(Finding& finding, const std::filesystem::path& scenario,
     finding.problems.insert(finding.problems.end(), parsed->problems.begin(), parsed->problems.end());
     finding.elements = std::move(parsed->elements);
     if (const auto laid = simulation::layRecordings(parsed->scenario, {scenario}); !laid)
-        finding.problems.push_back({Problem::Kind::invalid, laid.error()});
+        return finding.problems.push_back({Problem::Kind::invalid, laid.error()});
+    addReferences(finding, scenario, std::move(parsed->scenario));
 }
 
 /// A file of distributions is checked with its scenario in every variation; what they share is told once.
