@@ -98,6 +98,7 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
     simulation::PlayerOptions stage;
     stage.origin = terrain.origin();
     stage.ground = terrain.ground();
+    stage.air = terrain.air;
     stage.clock = clock;
     stage.seed = request.seed;
     stage.motionSource = std::make_shared<simulation::ScenarioMotions>(simulation::ScenarioMotions::World{

@@ -36,6 +36,7 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     scene._sunlit->addChild(terrain.node);
     scene._roadThings = terrain.roadThings;
     scene._airfield = terrain.airfield;
+    scene._moonlight = terrain.moonlight;
     scene._ground = terrain.ground();
     scenery::EntityShapes shapes;
     for (const simulation::ScenarioObject& object : scenario.entities)
@@ -123,7 +124,9 @@ void ScenarioScene::showWeather(const simulation::EnvironmentState& environment,
     if (const auto& wind = environment.wind; wind && _airfield)
         _airfield->setWind(wind->speedMps *
                            glm::dvec2(std::cos(wind->directionRad), std::sin(wind->directionRad)));
-    if (const auto set = _atmosphere->setSettings(airOf(environment)); !set)
+    osgTerrainROAM::AtmosphereSettings air = airOf(environment);
+    air.moonlight = _moonlight.value_or(air.moonlight);
+    if (const auto set = _atmosphere->setSettings(air); !set)
         osg::notify(osg::WARN) << set.error().message() << std::endl;
     _roadWetness->set(roadWetnessOf(environment));
     const glm::dvec3 eye = _ridden ? entities[*_ridden].velocity : glm::dvec3(0.0);

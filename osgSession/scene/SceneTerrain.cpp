@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iostream>
 
 #include <foundation/ReadableFile.h>
 
@@ -117,6 +118,12 @@ foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file
     description->showsVoids = description->showsVoids || request.showsVoids;
     auto scene = makeTerrainWithRoads(*description, request);
     if (!scene) return scene;
+    for (const std::string& note : scene->terrain->tile()->tile.field().notes)
+        std::cout << "note: " << note << '\n';
+    if (description->sunAzimuthDeg && description->sunElevationDeg)
+        scene->air.sun = {*description->sunAzimuthDeg, *description->sunElevationDeg};
+    scene->air.visibilityM = description->visibilityM;
+    scene->moonlight = description->moonlight;
     auto runways = sceneRunways(*description, *scene->terrain->tile());
     if (!runways) return runways.error();
     scene->runways = *std::move(runways);

@@ -23,6 +23,7 @@
 #include "scenery/nodes/AirfieldNode.h"
 #include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/placement/SkyHiders.h"
+#include "simulation/player/EnvironmentState.h"
 #include "simulation/player/SceneFrame.h"
 
 namespace trainer
@@ -50,6 +51,8 @@ struct SceneTerrain
     glm::dvec2 cornerM{0.0};            ///< of the terrain's frame in that of the scene
     std::vector<SceneRunway> runways{}; ///< those of its maps
     std::vector<StandingPart> standing{};
+    simulation::WorldAir air{};                                ///< as the world file has it
+    std::optional<double> moonlight{};                         ///< the same
     std::shared_ptr<scenery::AirfieldNode> airfield = nullptr; ///< lights and windsocks; null: none
     osg::ref_ptr<osgMultiTriangulation::MtDrawable> triangulation =
         nullptr;                      ///< draws the ground instead of the ROAM terrain; null: none

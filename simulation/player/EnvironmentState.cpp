@@ -14,10 +14,13 @@ constexpr DateTime kDefaultDateTime{1'718'964'000'000}; // 2024-06-21T10:00:00Z
 
 } // namespace
 
-EnvironmentClock::EnvironmentClock(const std::optional<Geodetic>& origin)
-    : _place(origin.value_or(Geodetic{45.0, 0.0, 0.0}))
+EnvironmentClock::EnvironmentClock(const std::optional<Geodetic>& origin, const WorldAir& world)
+    : _place(origin.value_or(Geodetic{45.0, 0.0, 0.0})), _givenSun(world.sun)
 {
-    _state.dateTime = kDefaultDateTime;
+    constexpr double kDegPerHour = 15.0, kSecondsPerHour = 3600.0;
+    const double hours = std::trunc(_place.longitudeDeg / kDegPerHour);
+    _state.dateTime = kDefaultDateTime.plusSeconds(-hours * kSecondsPerHour);
+    _state.fogVisualRangeM = world.visibilityM;
 }
 
 void EnvironmentClock::apply(const Environment& environment, double timeS)

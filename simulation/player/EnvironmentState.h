@@ -26,15 +26,25 @@ struct EnvironmentState
     std::string roadWetness = "dry";                ///< in the standard's words
 };
 
+/// What a world says of its own air; absent: nothing.
+struct WorldAir
+{
+    std::optional<SunDirection> sun;
+    std::optional<double> visibilityM;
+};
+
 /// The environment as the actions so far have set it, and as it changes during the day. An action changes
 /// only what it contains. The sun follows from date, time and position until an action gives its direction;
 /// an action with a time of day and without a sun ends this. A scene without georeference uses the sun of 45°
 /// N, 0° E.
-/// Initial state: 2024-06-21T10:00:00Z, the time of day does not advance, no fog.
+/// Initial state: 10 o'clock of 21 June 2024 by whole hours of longitude (UTC within 15° of Greenwich) and
+/// the sun of that time, or the world's own sun; the world's own visibility; the time of day does not
+/// advance.
 class EnvironmentClock
 {
 public:
-    explicit EnvironmentClock(const std::optional<Geodetic>& origin);
+    /// `world`: what the world says of its air, until an action says otherwise.
+    explicit EnvironmentClock(const std::optional<Geodetic>& origin, const WorldAir& world = {});
 
     void apply(const Environment& environment, double timeS);
     EnvironmentState at(double timeS) const;

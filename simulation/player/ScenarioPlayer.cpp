@@ -20,7 +20,7 @@ public:
           frame(options.origin, std::move(options.ground), std::move(options.projection)),
           clock(options.clock),
           _roads(std::move(options.roads)),
-          _environmentClock(options.origin),
+          _environmentClock(options.origin, options.air),
           _performer({scenario, frame, _roads.get(), clock, _environmentClock, _traffic, options.seed,
                       std::move(options.motionSource)}),
           _runner(scenario.storyboard, _performer)

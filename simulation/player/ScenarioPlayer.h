@@ -39,6 +39,7 @@ struct PlayerOptions
     std::shared_ptr<MotionSource> motionSource{};
 
     std::uint64_t seed = 0; ///< of what is left to chance: traffic and random routes
+    WorldAir air{};         ///< of the world; what the scenario says goes before it
 };
 
 /// Plays a scenario in fixed steps. Its states depend on the scenario, the options and the number of steps

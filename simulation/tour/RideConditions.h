@@ -21,6 +21,8 @@ struct RideConditions
     /// 0…24, mean solar time of the place on the longest day; absent: one that shows relief well
     std::optional<double> solarHour;
     RideWeather weather = RideWeather::clear;
+    /// those of the world, unless hour or weather say otherwise
+    bool keepsSun = false, keepsVisibility = false;
 };
 
 } // namespace simulation

@@ -34,9 +34,17 @@ void setFall(Environment& environment, const char* type, double mmPerHour, doubl
 
 } // namespace
 
+void leaveToWorld(Environment& environment, bool keepsSun, bool keepsVisibility)
+{
+    if (keepsSun) environment.timeOfDay.reset();
+    if (keepsSun && environment.weather) environment.weather->sun.reset();
+    if (keepsVisibility && environment.weather) environment.weather->fogVisualRangeM.reset();
+}
+
 Environment rideEnvironment(const TourTerrain& terrain, double headingRad, const RideConditions& conditions)
 {
     Environment environment = tourEnvironment(terrain, headingRad);
+    leaveToWorld(environment, conditions.keepsSun, conditions.keepsVisibility);
     if (conditions.solarHour) setHour(environment, terrain, *conditions.solarHour);
     switch (conditions.weather)
     {

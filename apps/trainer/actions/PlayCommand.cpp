@@ -2,6 +2,7 @@
 #include "PlayCommand.h"
 
 #include <iostream>
+#include <variant>
 
 #include <foundation/WholeFile.h>
 
@@ -104,6 +105,21 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
     return leaveResults(**session, request);
 }
 
+namespace
+{
+
+/// Whether Init says where the sun stands, by the time of day or by itself.
+bool saysSun(const simulation::Scenario& scenario)
+{
+    for (const simulation::GlobalAction& action : scenario.storyboard.init.globals)
+        if (const auto* const sky = std::get_if<simulation::EnvironmentAction>(&action))
+            if (sky->environment.timeOfDay || (sky->environment.weather && sky->environment.weather->sun))
+                return true;
+    return false;
+}
+
+} // namespace
+
 foundation::Outcome play(const PlayRequest& request)
 {
     if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
@@ -114,6 +130,11 @@ foundation::Outcome play(const PlayRequest& request)
     if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
     auto terrain = openStage(parsed->scenario, request);
     if (!terrain) return terrain.error();
+    if (!saysSun(parsed->scenario))
+        std::cout << "note: the scenario has no TimeOfDay in Init; "
+                  << (terrain->air.sun ? "the sun stands as the world file says"
+                                       : "it is 10 o'clock in June, by whole hours of longitude")
+                  << '\n';
     const simulation::SceneFrame frame(terrain->origin(), terrain->ground());
     if (const auto laid = tellRecordings(parsed->scenario, {request.scenario, &frame}); !laid) return laid;
     return playOver(std::move(*terrain), std::move(parsed->scenario), request);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <variant>
 #include <vector>
 
 #include <osgDB/FileNameUtils>
@@ -13,6 +14,7 @@
 #include "scenery/roads/LanePath.h"
 #include "simulation/tour/LayDrive.h"
 #include "simulation/tour/LayTour.h"
+#include "simulation/tour/RideEnvironment.h"
 
 namespace trainer
 {
@@ -98,8 +100,15 @@ foundation::Result<SceneTour> layTourFor(const SceneTerrain& terrain, const Play
 {
     const simulation::TourTerrain tourTerrain =
         ground::tourTerrainOf(terrain.terrain->tile()->tile, absoluteName(request.terrain.file));
-    return isDrive(request) ? layRoadDrive(terrain, tourTerrain, request.terrain.file.string(), durationS)
-                            : layFlight(terrain, tourTerrain, durationS);
+    auto tour = isDrive(request)
+                    ? layRoadDrive(terrain, tourTerrain, request.terrain.file.string(), durationS)
+                    : layFlight(terrain, tourTerrain, durationS);
+    if (!tour) return tour;
+    for (simulation::GlobalAction& action : tour->tour.scenario.storyboard.init.globals)
+        if (auto* const sky = std::get_if<simulation::EnvironmentAction>(&action))
+            simulation::leaveToWorld(sky->environment, terrain.air.sun.has_value(),
+                                     terrain.air.visibilityM.has_value());
+    return tour;
 }
 
 } // namespace trainer
