@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <osgTerrainROAM/core/Climate.h>
 #include <osgTerrainROAM/core/cover/CoverTable.h>
@@ -34,9 +37,51 @@ foundation::Result<MapBounds> boundsOf(const Request& request)
 {
     const auto& b = request.bounds;
     if (b.empty()) return MapBounds();
-    if (b[0] < b[2] && b[1] < b[3]) return MapBounds{b[0], b[1], b[2], b[3]};
-    return foundation::Error{"--bounds", "is no rectangle", "give WEST,SOUTH,EAST,NORTH in degrees"};
+    if (!(b[0] < b[2] && b[1] < b[3]) || std::abs(b[1]) > 90.0 || std::abs(b[3]) > 90.0)
+        return foundation::Error{"--bounds", "is no rectangle", "give WEST,SOUTH,EAST,NORTH in degrees"};
+    return MapBounds{b[0], b[1], b[2], b[3]};
 }
+
+bool overlap(const MapBounds& a, const MapBounds& b)
+{
+    return a.west < b.east && b.west < a.east && a.south < b.north && b.south < a.north;
+}
+
+/// Errors: the bounds lie beside the elevation data.
+foundation::Outcome checkOnGround(const Request& request, const MapBounds& bounds, const MapBounds& ground)
+{
+    if (request.bounds.empty() || overlap(bounds, ground)) return foundation::success();
+    const MapBounds swapped{bounds.south, bounds.west, bounds.north, bounds.east};
+    char extent[120], other[160];
+    std::snprintf(extent, sizeof extent, "%.5g,%.5g,%.5g,%.5g", ground.west, ground.south, ground.east,
+                  ground.north);
+    std::snprintf(other, sizeof other, "longitude comes first; did you mean %.9g,%.9g,%.9g,%.9g?",
+                  swapped.west, swapped.south, swapped.east, swapped.north);
+    return foundation::Error{"--bounds", std::string("lies beside the elevation data, which is in ") + extent,
+                             overlap(swapped, ground) ? other : "give WEST,SOUTH,EAST,NORTH within it"};
+}
+
+/// A folder that was made for a world and is empty at the end is removed.
+class WorldFolder
+{
+public:
+    explicit WorldFolder(std::filesystem::path folder) : _folder(std::move(folder))
+    {
+        std::error_code ignored;
+        _isNew = !std::filesystem::exists(_folder, ignored);
+    }
+    ~WorldFolder()
+    {
+        std::error_code ignored;
+        if (_isNew) std::filesystem::remove(_folder, ignored); // fails where anything is in it
+    }
+    WorldFolder(const WorldFolder&) = delete;
+    WorldFolder& operator=(const WorldFolder&) = delete;
+
+private:
+    std::filesystem::path _folder;
+    bool _isNew = false;
+};
 
 worldmaking::MadeUpSettings settingsOf(const Request& request, const MapBounds& ground)
 {
@@ -152,6 +197,7 @@ foundation::Result<Report> build(const Request& request)
     if (!bounds) return bounds.error();
     const auto listed = readHeads(request);
     if (!listed) return listed.error();
+    const WorldFolder folder(request.world);
     std::error_code failed;
     std::filesystem::create_directories(request.world, failed);
     if (failed)
@@ -176,6 +222,7 @@ foundation::Result<Report> build(const Request& request)
     progress.begin(kGround.name, kGround.share);
     const auto ground = loadGround(request.dems);
     if (!ground) return ground.error();
+    if (const auto on = checkOnGround(request, *bounds, ground->bounds); !on) return on.error();
     auto cover = coverOf(request, *ground);
     if (!cover) return cover.error();
     progress.begin(kMap.name, kMap.share);

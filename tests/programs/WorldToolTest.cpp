@@ -417,4 +417,21 @@ TEST(WorldTool, ACountryOfRealStreetsHasNoOpenJointAndNoSteepRoad)
     EXPECT_LE(extremes.tunnelRiseM, 10.0) << "a tunnel climbs over its hill";
 }
 
+TEST(WorldTool, BoundsWithLatitudeFirstAreToldAndNoFolderIsLeft)
+{
+    const TestFolder folder("worldtool-bounds");
+    const std::string ground = writeGround(folder), world = (folder / "world").string();
+    const auto built = [&](const std::string& bounds) {
+        return runWorldTool({"build", ground, "--bounds", bounds, "-o", world});
+    };
+    EXPECT_TRUE(
+        failsWith(built("42.492,1.492,42.508,1.508"), 1, "worldtool",
+                  {"--bounds", "lies beside the elevation data", "did you mean 1.492,42.492,1.508,42.508?"}));
+    EXPECT_TRUE(failsWith(built("8,46,9,47"), 1, "worldtool", {"--bounds", "within it"}));
+    EXPECT_FALSE(std::filesystem::exists(world));
+    EXPECT_TRUE(failsWith(runWorldTool({"build", folder.write("map.osm.pbf", "x").string(), "-o", world}), 1,
+                          "worldtool", {"is a map of OpenStreetMap", "--map FILE"}));
+    EXPECT_FALSE(std::filesystem::exists(world));
+}
+
 } // namespace
