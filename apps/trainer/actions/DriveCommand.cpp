@@ -12,6 +12,7 @@
 #include "scene/DriveWay.h"
 #include "scene/SceneTerrain.h"
 #include "simulation/control/HandOver.h"
+#include "simulation/control/InputTrack.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/driver/RoadHands.h"
@@ -33,6 +34,27 @@ driverOf(const DriveRequest& request, const simulation::RoadVehicle& vehicle, si
     if (request.speedMps > 0.0) settings.speedMps = request.speedMps;
     return std::unique_ptr<simulation::VehicleController>(
         std::make_unique<simulation::Driver>(vehicle, std::move(path), settings));
+}
+
+std::string textOfMetres(double metres)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0f m", metres);
+    return text;
+}
+
+/// Recorded inputs without a gear leave a car in neutral.
+foundation::Outcome tellInputs(const std::filesystem::path& file)
+{
+    if (file.empty()) return foundation::success();
+    const auto track = simulation::readInputs(file);
+    if (!track) return track.error();
+    const auto has = [&](std::string_view name)
+    { return std::find(track->names.begin(), track->names.end(), name) != track->names.end(); };
+    if (has("throttle") && !has("gear"))
+        std::printf("note: %s has no column gear: the vehicle stays in neutral; add one, with 1 in it\n",
+                    file.string().c_str());
+    return foundation::success();
 }
 
 void tellDrive(const simulation::VehicleMotion& motion)
@@ -125,8 +147,9 @@ foundation::Outcome checkDrive(const DriveRequest& request)
     return vehicle ? foundation::success() : vehicle.error();
 }
 
-foundation::Outcome drive(const DriveRequest& request)
+foundation::Outcome drive(const DriveRequest& asked)
 {
+    DriveRequest request = asked;
     const std::filesystem::path& world = request.play.terrain.file;
     const auto data = simulation::readRoadVehicle(request.vehicle);
     if (!data) return data.error();
@@ -134,6 +157,14 @@ foundation::Outcome drive(const DriveRequest& request)
     if (!scene) return scene.error();
     const auto path = driveWay(*scene, world.string(), request.lengthM);
     if (!path) return path.error();
+    if (request.startM > path->lengthM() - 1.0)
+        return foundation::Error{"--start-at",
+                                 textOfMetres(request.startM) + " is beyond the way, which is " +
+                                     textOfMetres(path->lengthM()) + " long",
+                                 "give less"};
+    if (const auto told = tellInputs(request.inputs); !told) return told;
+    request.conditions.keepsSun = scene->air.sun.has_value();
+    request.conditions.keepsVisibility = scene->air.visibilityM.has_value();
     DriveMaker maker(request, *data, *scene, *path);
     const auto motion = playRides(request, std::move(*scene), maker);
     if (!motion) return motion.error();

@@ -25,15 +25,49 @@ namespace trainer
 namespace
 {
 
-void tellFlight(const simulation::VehicleMotion& motion)
+/// What tells how high a place is: the terrain counts from its own datum, which is the sea's in most rasters.
+struct HeightTable
+{
+    osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< null: the ground is level
+    glm::dvec2 cornerM{0.0};
+
+    double heightM(const glm::dvec3& place) const
+    {
+        if (!terrain) return place.z;
+        return terrain->tile()->tile.frame().heightOf(place - glm::dvec3(cornerM, 0.0));
+    }
+};
+
+void tellFlight(const simulation::VehicleMotion& motion, const HeightTable& heights,
+                const simulation::Ground& ground)
 {
     const simulation::VehicleState& state = motion.vehicle().now();
-    std::printf("flown %.2f s; at the end %s, %.1f m/s, %.1f m east, %.1f m north, %.1f m high\n",
-                state.timeS, state.isOnGround ? "on the ground" : "in the air", glm::length(state.velocity),
-                state.position.x, state.position.y, state.position.z);
+    std::printf("flown %.2f s; at the end %s, %.1f m/s, %.1f m east, %.1f m north, %.1f m %s\n", state.timeS,
+                state.isOnGround ? "on the ground" : "in the air", glm::length(state.velocity),
+                state.position.x, state.position.y, heights.heightM(state.position),
+                heights.terrain ? "above the sea" : "high");
+    glm::dvec3 place(state.position.x, state.position.y, state.position.z);
+    simulation::GroundPoint below;
+    ground.below({&place, 1}, {&below, 1});
+    if (!below.isKnown)
+        std::printf("note: the flight ends beyond the elevation data, where there is no ground\n");
     if (!motion.note().empty()) std::printf("note: the aircraft %s\n", motion.note().c_str());
     const auto* jsbsim = dynamic_cast<const simulation::JsbsimVehicle*>(&motion.vehicle().vehicle());
     if (jsbsim && !jsbsim->note().empty()) std::printf("note: %s\n", jsbsim->note().c_str());
+}
+
+/// Errors: a direction or a speed that no wind has. The two are easily swapped.
+foundation::Outcome checkWind(const std::vector<double>& wind)
+{
+    constexpr double kMostKnots = 150.0;
+    if (wind.empty() || (wind[0] >= 0.0 && wind[0] <= 360.0 && wind[1] >= 0.0 && wind[1] <= kMostKnots))
+        return foundation::success();
+    char what[100], remedy[100];
+    std::snprintf(what, sizeof what, "%g° and %g kt are no wind", wind[0], wind[1]);
+    const bool isSwapped = wind[1] >= 0.0 && wind[1] <= 360.0 && wind[0] >= 0.0 && wind[0] <= kMostKnots;
+    std::snprintf(remedy, sizeof remedy, "FROM,KNOTS: did you mean %g,%g?", wind[1], wind[0]);
+    return foundation::Error{"--wind", what,
+                             isSwapped ? remedy : "write FROM,KNOTS: 0 to 360 degrees, 0 to 150 kt"};
 }
 
 /// The world of the request; level ground where pictures have none.
@@ -59,6 +93,7 @@ glm::dvec2 FlyRequest::windMps() const
 foundation::Outcome checkFlight(const FlyRequest& request)
 {
     if (const auto usable = checkBeforeRide(request); !usable) return usable;
+    if (const auto windy = checkWind(request.wind); !windy) return windy;
     if (!request.orders.empty())
         if (const auto orders = simulation::parseFlightOrders(request.orders, "--orders"); !orders)
             return orders.error();
@@ -81,10 +116,13 @@ foundation::Outcome fly(const FlyRequest& asked)
         std::printf(
             "note: there is no runway in this world; the flight begins in the air (--strip lays one)\n");
     if (terrain->airfield && !request.wind.empty()) terrain->airfield->setWind(request.windMps());
+    request.conditions.keepsSun = terrain->air.sun.has_value();
+    request.conditions.keepsVisibility = terrain->air.visibilityM.has_value();
+    const HeightTable heights{terrain->terrain, terrain->cornerM};
     FlightMaker maker(request, ground, terrain->origin());
     const auto motion = playRides(request, std::move(*terrain), maker);
     if (!motion) return motion.error();
-    tellFlight(**motion);
+    tellFlight(**motion, heights, *ground);
     return foundation::success();
 }
 

@@ -55,6 +55,7 @@ foundation::Outcome readPatchExponent(const std::string& text, std::optional<int
 
 void PlayOptions::addTo(CLI::App& command)
 {
+    _command = &command;
     addOutputOptions(command);
     addFrameOptions(command);
     addEyeOptions(command);
@@ -133,8 +134,10 @@ void PlayOptions::addOutputOptions(CLI::App& command)
         "JSON file that describes the objects on the terrain (docs/reference/scenery-file.md)");
     command.add_option("--objects", request.scenery.modelsFolder,
                        "folder of models to scatter beside the path");
-    command.add_option("--sound", request.sound.file,
-                       "WAVE file of what is heard where the eye is, with offscreen pictures");
+    command
+        .add_option("--sound", request.sound.file,
+                    "WAVE file of what is heard where the eye is, with offscreen pictures")
+        ->check(terminal::extension(".wav"));
     command.add_flag("--mute", request.sound.isMuted, "nothing is heard");
     command.add_option("--stats", request.output.statsFile, "JSON file for the statistics of each frame");
     command.add_option(
@@ -237,8 +240,24 @@ foundation::Outcome PlayOptions::placeFreeEye()
     return foundation::success();
 }
 
+/// Errors: an option that has no effect beside --headless.
+foundation::Outcome PlayOptions::checkHeadless() const
+{
+    const CLI::Option* const headless = _command->get_option_no_throw("--headless");
+    if (!headless || headless->count() == 0) return foundation::success();
+    for (const char* name : {"--window", "--fullscreen", "--keys", "--by-keys", "--devices", "--pictures",
+                             "--screen", "--picture-time", "--sound", "--capture", "--stats", "--report",
+                             "--report-sheet", "--report-video", "--parts", "--view"})
+        if (const CLI::Option* const option = _command->get_option_no_throw(name);
+            option && option->count() > 0)
+            return foundation::Error{name, "has no effect with --headless, which draws and plays nothing",
+                                     "leave one of the two out"};
+    return foundation::success();
+}
+
 foundation::Outcome PlayOptions::complete()
 {
+    if (const auto headless = checkHeadless(); !headless) return headless;
     char rest = 0;
     FrameRequest& frames = request.frames;
     if (std::sscanf(_size.c_str(), "%dx%d%c", &frames.widthPx, &frames.heightPx, &rest) != 2 ||

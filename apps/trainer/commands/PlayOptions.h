@@ -26,7 +26,8 @@ public:
     void addTo(CLI::App& command);
 
     /// Writes into the request what the options' words mean; after the line is read.
-    /// Errors: --size that is no size, --eye-at without --eye free, an eye too high, an unknown --backend or
+    /// Errors: an option that --headless leaves without effect, --size that is no size, --eye-at without
+    /// --eye free, an eye too high, an unknown --backend or
     /// --patch-exponent.
     foundation::Outcome complete();
 
@@ -44,12 +45,14 @@ private:
     void addTerrainOptions(CLI::App& command);
     void addWindowOptions(CLI::App& command);
     foundation::Outcome placeWindow();
+    foundation::Outcome checkHeadless() const;
 
     std::string _size = "960x540";
     std::string _backend{osgOffscreen::backendName(osgOffscreen::defaultBackend())};
     std::string _eye = "own", _interior, _shadows = "on";
     std::vector<double> _freeEye;
     std::string _patchExponent = "0";
+    CLI::App* _command = nullptr;
     CLI::Option* _window = nullptr;
     CLI::Option *_samples = nullptr, *_tolerance = nullptr, *_quality = nullptr;
     std::vector<std::string> _windowPlace;

@@ -100,7 +100,13 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     simulation::GroundPoint below;
     _ground->below({&start, 1}, {&below, 1});
     if (!below.isKnown)
-        return foundation::Error{"--start", "there is no ground at the start", "give a place on the terrain"};
+    {
+        char where[100];
+        std::snprintf(where, sizeof where, "%s at %.0f m east, %.0f m north", from.name.c_str(), from.place.x,
+                      from.place.y);
+        return foundation::Error{_request.start.empty() ? where : "--start", "there is no ground",
+                                 "give a place on the terrain: --start X,Y,H,HEADING,SPEED"};
+    }
     start.z = below.heightM + from.heightM;
     auto aircraft = aircraftOf(_request, _origin);
     if (!aircraft) return aircraft.error();

@@ -20,7 +20,6 @@ namespace
 
 using Traits = osg::GraphicsContext::Traits;
 
-constexpr const char* kPlace = "--window";
 // A display that has just started on a busy machine may not have its OpenGL yet.
 constexpr int kTries = 3;
 constexpr auto kBetweenTries = std::chrono::milliseconds(300);
@@ -38,6 +37,15 @@ public:
 private:
     osg::NotifySeverity _level;
 };
+
+/// The option that asked for the window, for messages; a ride has one without being asked.
+const char* placeOf(const WindowRequest& request)
+{
+    if (!request.isWanted) return "the window";
+    if (request.isFullscreen) return "--fullscreen";
+    if (!request.keysFile.empty()) return "--keys";
+    return request.byKeys ? "--by-keys" : "--window";
+}
 
 /// What says on which screen a window is.
 osg::ref_ptr<Traits> screenOf(const WindowRequest& request)
@@ -111,9 +119,12 @@ foundation::Outcome coverScreen(Traits& traits)
 
 foundation::Outcome checkScreen(const WindowRequest& request, const Traits& traits)
 {
-    const auto lacking = [](const std::string& what) {
-        return foundation::Error{kPlace, what,
-                                 "run it on a desktop or under xvfb-run, or leave --window out"};
+    const auto lacking = [&](const std::string& what)
+    {
+        const std::string place = placeOf(request);
+        return foundation::Error{place, what,
+                                 "run it on a desktop or under xvfb-run, or " +
+                                     (request.isWanted ? "leave " + place + " out" : "add --headless")};
     };
     const char* const display = std::getenv("DISPLAY");
     // Without a name OSG would take whatever display is the machine's first, which may be somebody else's.
@@ -152,12 +163,12 @@ Driver driverOf(osgViewer::GraphicsWindow& window)
     return driver;
 }
 
-foundation::Outcome checkGl(const std::string& version)
+foundation::Outcome checkGl(const std::string& version, const char* place)
 {
     if (version.empty())
-        return foundation::Error{kPlace, "OpenGL's calls do not reach the window",
+        return foundation::Error{place, "OpenGL's calls do not reach the window",
                                  "build with OSGTRAINER_WITH_OSMESA=OFF for a vendor's own driver"};
-    return osgOffscreen::checkOpenGl(version, false, osgOffscreen::kEverythingNeeds, kPlace);
+    return osgOffscreen::checkOpenGl(version, false, osgOffscreen::kEverythingNeeds, place);
 }
 
 } // namespace
@@ -186,9 +197,9 @@ foundation::Result<OpenedWindow> openWindow(const WindowRequest& request, const 
         if (window) driver = driverOf(*window);
     }
     if (!window)
-        return foundation::Error{kPlace, "the display has no OpenGL for windows",
+        return foundation::Error{placeOf(request), "the display has no OpenGL for windows",
                                  "use one with GLX, try --samples 1, or leave --window out"};
-    if (const auto recent = checkGl(driver.version); !recent) return recent.error();
+    if (const auto recent = checkGl(driver.version, placeOf(request)); !recent) return recent.error();
     return OpenedWindow{window, osgOffscreen::drawsOnProcessor(driver.renderer)};
 }
 
