@@ -49,8 +49,14 @@ TEST(ToldMistakes, AWindWhoseNumbersAreSwapped)
 
 TEST(ToldMistakes, AStartWherePowerLacks)
 {
-    EXPECT_TRUE(failsWith(flown({"--strip", "0,0,0,800", "--start", "0,0,4500,0,50"}), 1, "trainer",
-                          {"power lacks for steady flight at 50 m/s", "lower", "choose a lower height"}));
+    EXPECT_TRUE(
+        failsWith(flown({"--strip", "0,0,0,800", "--start", "0,0,3500,0,50"}), 1, "trainer",
+                  {"power lacks for steady flight at 50 m/s", "path that is", "choose a lower height"}));
+    EXPECT_TRUE(
+        failsWith(flown({"--strip", "0,0,0,800", "--start", "0,0,4000,0,50"}), 1, "trainer",
+                  {"power lacks for steady flight at 50 m/s in the thin air", "choose a lower height"}));
+    EXPECT_TRUE(failsWith(flown({"--strip", "0,0,0,800", "--start", "0,0,300,0,12"}), 1, "trainer",
+                          {"no steady flight was found at 12 m/s"}));
     EXPECT_TRUE(succeeds(flown({"--strip", "0,0,0,800", "--start", "0,0,1500,0,50"})));
 }
 

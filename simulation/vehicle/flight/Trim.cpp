@@ -218,31 +218,37 @@ foundation::Result<Vector> Search::run() const
     return x;
 }
 
-/// The error that tells by how much an engine is too weak for a climb angle, or nothing where it is not.
+/// The error that tells that an engine is too weak for a climb angle, by the path on which it is not; nothing
+/// where there is none within 12 degrees.
 std::optional<foundation::Error> lackOfPower(const AircraftData& aircraft, const EarthFrame& earth,
                                              const AirSample& air, TrimTarget target)
 {
+    constexpr int kMostDeg = 12;
     if (target.throttle) return {};
     const double wantedDeg = target.pathDeg;
-    target.throttle = 1.0;
-    const Search search(aircraft, earth, air, target);
-    const foundation::Result<Vector> found = search.run();
-    if (!found) return {};
-    const double pathDeg = search.flightOf(*found).pathDeg;
-    if (pathDeg >= wantedDeg) return {};
-    const auto text = [](const char* format, auto... values)
+    for (int deg = 1; deg <= kMostDeg; ++deg)
     {
-        char line[160];
-        std::snprintf(line, sizeof line, format, values...);
-        return std::string(line);
-    };
-    const double speed = target.trueAirspeedMps;
-    const auto rise = [&](double deg) { return speed * std::sin(foundation::radiansOf(deg)); };
-    return foundation::Error{
-        "trim",
-        text("power lacks for steady flight at %.0f m/s: with full throttle the aircraft %s at %.1f m/s",
-             speed, pathDeg < 0.0 ? "sinks" : "climbs", std::abs(rise(pathDeg))),
-        "choose a lower height, or another speed"};
+        target.pathDeg = wantedDeg - deg;
+        const Search search(aircraft, earth, air, target);
+        const foundation::Result<Vector> found = search.run();
+        if (!found || search.throttleOf(*found) > 1.0) continue;
+        char what[160];
+        std::snprintf(
+            what, sizeof what,
+            "power lacks for steady flight at %.0f m/s: the aircraft keeps this speed only on a path "
+            "that is %d° lower",
+            target.trueAirspeedMps, deg);
+        return foundation::Error{"trim", what, "choose a lower height, or another speed"};
+    }
+    // Higher up a rich mixture burns no more. Where the same flight is steady in the air of the sea, height
+    // is at fault.
+    target.pathDeg = wantedDeg;
+    if (!Search(aircraft, earth, AirSample{}, target).run()) return {};
+    return foundation::Error{"trim",
+                             "power lacks for steady flight at " +
+                                 std::to_string(std::lround(target.trueAirspeedMps)) +
+                                 " m/s in the thin air of this height",
+                             "choose a lower height, or another speed"};
 }
 
 } // namespace
