@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -62,7 +63,8 @@ std::optional<std::string_view> nearestWord(std::string_view misspelt, const Ran
 
 /// The remedy for an unknown name: "did you mean X?", where a word of the range is like it, else `otherwise`.
 template<class Range>
-std::string didYouMean(std::string_view misspelt, const Range& words, std::string otherwise)
+requires(!std::convertible_to<const Range&, std::string_view>) std::string
+    didYouMean(std::string_view misspelt, const Range& words, std::string otherwise)
 {
     const auto like = nearestWord(misspelt, words, [](const auto& word) { return std::string_view(word); });
     return like ? "did you mean " + std::string(*like) + "?" : std::move(otherwise);
