@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include <foundation/Angle.h>
+
 #include "FlightSupport.h"
 
 namespace
