@@ -102,7 +102,10 @@ void print(const nlohmann::ordered_json& rows)
 {
     for (const auto& [part, row] : rows.items())
         for (const auto& [key, value] : row.items())
-            std::cout << part << '.' << key << ' ' << value.dump() << '\n';
+            if (part == "notes")
+                std::cout << "note: " << value.get<std::string>() << '\n';
+            else
+                std::cout << part << '.' << key << ' ' << value.dump() << '\n';
 }
 
 /// The files of the map, the runways of a table, and how many others it has.

@@ -10,8 +10,10 @@
 #include "scenery/buildings/StandBuildings.h"
 #include "scenery/roads/LayRoads.h"
 #include "scenery/roads/NearestStreet.h"
+#include "scenery/structures/HeightsInScene.h"
 #include "worldmaking/check/WorldCheck.h"
 #include "worldtool/Commands.h"
+#include "worldtool/FaultLines.h"
 
 namespace worldtool
 {
@@ -59,6 +61,26 @@ worldmaking::PlanRings pavingOf(const std::vector<glm::dvec2>& line, double widt
     return {{line.front() - side, line.back() - side, line.back() + side, line.front() + side}};
 }
 
+foundation::Outcome addRails(const RoamFile& world, const PlacedTile& tile, WorldThings& things)
+{
+    for (const auto& source : world.structures)
+    {
+        const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+        if (!shapes) return shapes.error();
+        for (const auto& line : shapes->linear)
+        {
+            auto structure = scenery::structureOf(line.points, line.tags, static_cast<std::uint64_t>(line.id));
+            if (!structure || structure->heightsM.empty()) continue; // on the ground, whatever that is
+            scenery::putHeightsInScene(*structure, tile);
+            worldmaking::RailLine rail;
+            for (std::size_t i = 0; i < structure->heightsM.size(); ++i)
+                rail.points.emplace_back(structure->line[i], structure->heightsM[i]);
+            things.rails.push_back(std::move(rail));
+        }
+    }
+    return foundation::success();
+}
+
 foundation::Outcome addGround(const RoamFile& world, const PlacedTile& tile, WorldThings& things)
 {
     for (const auto& source : world.features)
@@ -91,6 +113,9 @@ nlohmann::ordered_json rowOf(const worldmaking::WorldFaults& faults)
             {"sunkRoads", faults.sunkRoads},
             {"unevenRunways", faults.unevenRunways},
             {"unevenWaters", faults.unevenWaters},
+            {"closeCrossings", faults.closeCrossings},
+            {"bareTunnels", faults.bareTunnels},
+            {"brokenRails", faults.brokenRails},
             {"maxGradePercent", faults.maxGradePercent}};
 }
 
@@ -154,6 +179,31 @@ nlohmann::ordered_json watersOf(const worldmaking::WorldFaults& faults, const Pl
     return rows;
 }
 
+/// Where ways cross wrongly. Units: metres, degrees.
+nlohmann::ordered_json crossingsOf(const worldmaking::WorldFaults& faults,
+                                   const osgRoads::core::PlacedNetwork* roads, const PlacedTile& tile)
+{
+    constexpr const char* kNames[] = {"roads", "rails", "tunnel", "railEnd"};
+    auto rows = nlohmann::ordered_json::array();
+    for (const auto& fault : faults.crossingFaults)
+    {
+        nlohmann::ordered_json row{{"fault", kNames[static_cast<std::size_t>(fault.flaw)]},
+                                   {"sM", fault.sM},
+                                   {"foundM", fault.foundM},
+                                   {"wantedM", fault.wantedM}};
+        if (roads && fault.road >= 0) row["road"] = roads->road(fault.road).id;
+        if (roads && fault.other >= 0) row["other"] = roads->road(fault.other).id;
+        if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
+        {
+            const auto at = tile.frame().geodeticFromLocal(fault.place);
+            row["latitudeDeg"] = at.latitudeDeg;
+            row["longitudeDeg"] = at.longitudeDeg;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 } // namespace
 
 foundation::Result<Report> check(const std::filesystem::path& world)
@@ -176,7 +226,7 @@ foundation::Result<Report> check(const std::filesystem::path& world)
         const auto ground = osgTerrainROAM::core::groundAt(tile, place.x, place.y);
         return ground ? std::optional(tile.frame().heightOf(ground->position)) : std::nullopt;
     };
-    for (const auto add : {addHouses, addPlants, addGround})
+    for (const auto add : {addHouses, addPlants, addRails, addGround})
         if (const auto added = add(*description, tile, things); !added) return added.error();
     const worldmaking::WorldFaults faults = worldmaking::checkWorld(things);
     Report report;
@@ -184,8 +234,11 @@ foundation::Result<Report> check(const std::filesystem::path& world)
     report.sound = faults.total() == 0;
     for (const auto& [key, value] : report.json.items())
         std::cout << key << ' ' << value.dump() << '\n';
+    for (const std::string& line : faultLines(faults, things.roads, tile))
+        std::cout << "fault: " << line << '\n';
     if (things.roads) report.json["roadFaults"] = placesOf(faults, *things.roads, tile);
     report.json["waterFaults"] = watersOf(faults, tile);
+    report.json["crossingFaults"] = crossingsOf(faults, things.roads, tile);
     return report;
 }
 

@@ -34,6 +34,7 @@ namespace
 {
 
 constexpr double kRoadSampleM = 3.0; ///< between samples of the ground beside roads
+constexpr double kFormationM = 5.0;  ///< width of what carries a track
 
 } // namespace
 
@@ -43,20 +44,23 @@ foundation::Outcome WorldMaker::make()
     begin(kEarth);
     if (auto made = makeEarth(); !made) return made;
     begin(kStreets);
-    const auto streets = makeStreets(mapName);
+    auto streets = makeStreets(mapName);
     if (!streets) return streets.error();
     _hasRoads = !streets->network.roads.empty();
     report.json["streets"] = rowOf(streets->report);
+    if (!streets->report.notes.empty()) report.json["notes"] = streets->report.notes;
+    _tracks = std::move(streets->tracks);
     std::error_code ignored;
     if (!_state.has("world.roam")) std::filesystem::remove(file("world.roam"), ignored); // of other inputs
-    if (auto written = _writeEarth(); !written) return written;
+    const auto plane = worldmaking::MapPlane::create(streets->network.header, mapName);
+    if (!plane) return plane.error();
+    addTrackWorks(*plane);
+    if (auto written = writeEarth(); !written) return written;
     if (_hasRoads)
         if (auto written = part("roads.xodr", [&](const auto& path)
                                 { return osgRoads::core::writeNetwork(streets->network, path); });
             !written)
             return written;
-    const auto plane = worldmaking::MapPlane::create(streets->network.header, mapName);
-    if (!plane) return plane.error();
     _land = _source.land;
     report.json["water"]["cutAway"] =
         worldmaking::cutToLevel(_land, *plane, waterWorksIn(*plane), streets->network);
@@ -89,7 +93,7 @@ foundation::Outcome WorldMaker::make()
 /// A map without streets becomes a world without roads.
 foundation::Result<worldmaking::Streets> WorldMaker::makeStreets(const std::string& mapName) const
 {
-    if (!_source.streets.ways.empty()) return worldmaking::buildStreets(_source.streets, _shaped, mapName);
+    if (!_source.streets.ways.empty()) return worldmaking::buildStreets(_source.streets, _shaped, mapName, &_source.land);
     worldmaking::Streets none;
     none.network.header = worldmaking::planeAbout(_source.land);
     return none;
@@ -161,22 +165,55 @@ foundation::Outcome WorldMaker::makeEarth()
     std::move(ofAir.begin(), ofAir.end(), std::back_inserter(works));
     report.json["water"] = rowOf(water);
     report.json["airfields"] = rowOf(air);
-    _hasEarth = !works.empty();
-    if (_hasEarth)
-        _writeEarth = [this, works, plane]
-        {
-            return part("earthworks.gpkg",
-                        [&](const auto& path) { return worldmaking::writeEarthworks(works, *plane, path); });
-        };
-    const auto earth =
-        std::make_shared<const osgTerrainROAM::core::Earthworks>(std::move(works), 0.0, ground);
-    _shaped = [bare = _ground, plane, earth](double latitudeDeg, double longitudeDeg) -> std::optional<double>
+    _earthPlane = plane;
+    _works = std::move(works);
+    shapeGround();
+    return foundation::success();
+}
+
+/// Streets, houses and woods follow the ground that the works have shaped.
+void WorldMaker::shapeGround()
+{
+    const worldmaking::PlanHeight ground = [&](const glm::dvec2& plan) -> std::optional<double>
+    {
+        const auto place = _earthPlane->toDegrees(plan);
+        return place ? _ground(place->y, place->x) : std::nullopt;
+    };
+    const auto earth = std::make_shared<const osgTerrainROAM::core::Earthworks>(_works, 0.0, ground);
+    _shaped = [bare = _ground, plane = _earthPlane, earth](double latitudeDeg,
+                                                           double longitudeDeg) -> std::optional<double>
     {
         const auto height = bare(latitudeDeg, longitudeDeg);
         const auto plan = height ? plane->toPlan({longitudeDeg, latitudeDeg}) : std::nullopt;
         return plan ? std::optional(earth->heightM(*plan, *height)) : height;
     };
-    return foundation::success();
+}
+
+/// Cuttings and embankments of railways: where their heights leave the ground.
+void WorldMaker::addTrackWorks(const worldmaking::MapPlane& plane)
+{
+    const std::size_t before = _works.size();
+    for (const worldmaking::Track& track : _tracks)
+    {
+        if (track.place != worldmaking::StreetPlace::ground || !track.isOffGround) continue;
+        const auto degrees = plane.toDegrees({track.points});
+        auto paths = degrees ? _earthPlane->toPlan(*degrees) : std::nullopt;
+        if (!paths) continue;
+        osgTerrainROAM::core::Earthwork work;
+        work.paths = std::move(*paths);
+        work.heightsM = {track.heightsM};
+        work.widthM = kFormationM;
+        _works.push_back(std::move(work));
+    }
+    if (_works.size() > before) shapeGround();
+}
+
+foundation::Outcome WorldMaker::writeEarth()
+{
+    _hasEarth = !_works.empty();
+    if (!_hasEarth) return foundation::success();
+    return part("earthworks.gpkg", [&](const auto& path)
+                { return worldmaking::writeEarthworks(_works, *_earthPlane, path); });
 }
 
 std::optional<worldmaking::MapBox> WorldMaker::limitIn(const worldmaking::MapPlane& plane) const
@@ -240,7 +277,7 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
             !written)
             return written;
     worldmaking::StructureReport standing;
-    if (auto written = worldmaking::writeStructures(_source.land, plane, {room, _runways, _strips, height},
+    if (auto written = worldmaking::writeStructures(_source.land, plane, {room, _runways, _strips, height, _tracks},
                                                     file("structures.gpkg"), standing);
         !written)
         return written;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 
 #include <foundation/Result.h>
@@ -88,6 +89,9 @@ private:
         return foundation::success();
     }
     foundation::Outcome makeEarth();
+    void shapeGround();
+    void addTrackWorks(const worldmaking::MapPlane& plane);
+    foundation::Outcome writeEarth();
     foundation::Result<worldmaking::Streets> makeStreets(const std::string& mapName) const;
     void fillCover(worldmaking::CoverRaster& cover, const worldmaking::MapPlane& plane,
                    const worldmaking::RoadRoom& room, worldmaking::LandReport& land) const;
@@ -113,7 +117,9 @@ private:
     std::vector<worldmaking::House> _houses;
     std::vector<worldmaking::Runway> _runways; ///< those on the ground
     std::vector<worldmaking::PlanRings> _strips;
-    std::function<foundation::Outcome()> _writeEarth = [] { return foundation::success(); };
+    std::shared_ptr<const worldmaking::MapPlane> _earthPlane;
+    std::vector<osgTerrainROAM::core::Earthwork> _works; ///< all, in that plane
+    std::vector<worldmaking::Track> _tracks;             ///< in the plane of the roads
     bool _hasGround = false, _hasCover = false, _hasTrees = false, _hasEarth = false, _hasStructures = false;
     bool _hasModels = false, _hasRoads = true;
 };

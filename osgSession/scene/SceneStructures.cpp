@@ -12,6 +12,7 @@
 
 #include "scenery/ground/TileGround.h"
 #include "scenery/nodes/StructuresNode.h"
+#include "scenery/structures/HeightsInScene.h"
 
 namespace trainer
 {
@@ -35,13 +36,17 @@ bool isWindsock(const osgTerrainROAM::core::MapShape& shape)
     return false;
 }
 
-void add(const osgTerrainROAM::core::ShapeSet& shapes, Standing& standing)
+void add(const osgTerrainROAM::core::ShapeSet& shapes, const osgTerrainROAM::core::PlacedTile& tile,
+         Standing& standing)
 {
     const auto take = [&](std::vector<glm::dvec2> line, const auto& tags, std::int64_t id)
     {
         auto structure = scenery::structureOf(std::move(line), tags, static_cast<std::uint64_t>(id));
         if (structure)
+        {
+            scenery::putHeightsInScene(*structure, tile);
             standing.structures.push_back(std::move(*structure));
+        }
         else
             ++standing.unused;
     };
@@ -89,7 +94,7 @@ foundation::Result<Standing> standingOf(const osgTerrainROAM::core::RoamFile& de
         const auto shapes =
             osgTerrainROAM::core::importShapes(source, tile.tile, foundation::KeptFrom::ofUser(tile.mark()));
         if (!shapes) return shapes.error();
-        add(*shapes, standing);
+        add(*shapes, tile.tile, standing);
         if (standing.structures.empty() && standing.windsocks.empty())
             return foundation::Error{source.string(), "has nothing that can stand here",
                                      "give lines of walls, fences, power lines or railways of this place"};

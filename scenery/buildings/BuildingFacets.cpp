@@ -56,12 +56,15 @@ public:
                 addWall(ring[i], ring[(i + 1) % ring.size()], hasEaves);
         }
         addRoof(covered);
+        if (isLifted()) addUnderside();
         for (std::size_t i = 0; i < covered.front().size(); ++i)
             addEaves(i, covered.front());
         if (_building.openings != Openings::none) addOpenings();
     }
 
 private:
+    bool isLifted() const { return _building.liftedM > 0.0; }
+
     glm::vec3 local(const glm::dvec2& place, double heightM) const
     {
         return glm::vec3(glm::dvec3(place, heightM) - _origin);
@@ -69,8 +72,8 @@ private:
 
     void addWall(const glm::dvec2& from, const glm::dvec2& to, bool hasEaves)
     {
-        const double lengthM = glm::length(to - from), lowM = std::max(_standing.footM, _standing.floorM);
-        addPlinth(from, to, lowM);
+        const double lengthM = glm::length(to - from), lowM = std::max(_standing.footM, _standing.floorM) + _building.liftedM;
+        if (!isLifted()) addPlinth(from, to, lowM);
         std::vector<double> shares{0.0};
         for (const double share : _roof.breaksOn(from, to))
             shares.push_back(share);
@@ -127,7 +130,9 @@ private:
         return glm::vec2(glm::dvec2(alongM, heightM - _standing.floorM) / models::kWallPictureM);
     }
 
-    void addRoof(const std::vector<PlanRing>& rings)
+    /// Calls `use` with the triangles of an area, counter-clockwise seen from above.
+    template<class Use>
+    void forTriangles(const std::vector<PlanRing>& rings, const Use& use) const
     {
         std::vector<glm::dvec3> corners;
         std::vector<std::uint32_t> sizes;
@@ -146,17 +151,44 @@ private:
                 at += inserted.weights[i] * corners[inserted.corners[i]];
             corners.push_back(at);
         }
-        for (const auto& triangle : tessellation->triangles)
-            addRoofTriangle({glm::dvec2(corners[triangle[0]]), glm::dvec2(corners[triangle[1]]),
-                             glm::dvec2(corners[triangle[2]])});
+        for (const auto& indices : tessellation->triangles)
+        {
+            std::array<glm::dvec2, 3> triangle{glm::dvec2(corners[indices[0]]), glm::dvec2(corners[indices[1]]),
+                                               glm::dvec2(corners[indices[2]])};
+            const glm::dvec2 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
+            if (ab.x * ac.y - ab.y * ac.x < 0.0) std::swap(triangle[1], triangle[2]);
+            for (glm::dvec2& corner : triangle)
+                corner += glm::dvec2(_origin);
+            use(triangle);
+        }
     }
 
-    void addRoofTriangle(std::array<glm::dvec2, 3> triangle)
+    void addRoof(const std::vector<PlanRing>& rings)
     {
-        const glm::dvec2 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
-        if (ab.x * ac.y - ab.y * ac.x < 0.0) std::swap(triangle[1], triangle[2]);
-        for (glm::dvec2& corner : triangle)
-            corner += glm::dvec2(_origin);
+        forTriangles(rings, [this](const std::array<glm::dvec2, 3>& triangle) { addRoofTriangle(triangle); });
+    }
+
+    /// The ceiling of a passage.
+    void addUnderside()
+    {
+        const double heightM = std::max(_standing.footM, _standing.floorM) + _building.liftedM;
+        forTriangles(_building.rings,
+                     [&](const std::array<glm::dvec2, 3>& triangle)
+                     {
+                         std::vector<glm::vec3> corners;
+                         std::vector<glm::vec2> uv;
+                         for (const std::size_t i : {2, 1, 0})
+                         {
+                             corners.push_back(local(triangle[i], heightM));
+                             uv.emplace_back((triangle[i] - glm::dvec2(_origin)) / models::kWallPictureM);
+                         }
+                         _facets.shell[_building.wall].addPolygon(corners, uv, kPlinthShade * _building.wallTint,
+                                                                  std::vector<float>(3, kSkyAtEaves));
+                     });
+    }
+
+    void addRoofTriangle(const std::array<glm::dvec2, 3>& triangle)
+    {
         for (const RoofPlanes::Part& part : _roof.partsOf(triangle))
         {
             std::vector<glm::vec3> corners;
@@ -222,7 +254,7 @@ private:
         if (_building.openings == Openings::hangar) return addGate(from, to, lengthM);
         if (_building.openings == Openings::control) addGlassBand(from, to, lengthM);
         const int axes = static_cast<int>((lengthM - 0.6) / kAxisM + 0.25);
-        const bool hasDoor = ring == 0 && edge == _standing.doorEdge;
+        const bool hasDoor = ring == 0 && edge == _standing.doorEdge && !isLifted();
         for (int axis = 0; axis < axes; ++axis)
         {
             const double share = (axis + 0.5) / axes, groundM = _standing.groundAt(ring, edge, share);
@@ -275,7 +307,9 @@ private:
         const double storeyM = _building.eavesM / _building.storeys,
                      floorM = _standing.floorM + storey * storeyM;
         const bool isShop = _building.hasShop && storey == 0;
-        if (floorM + (isShop ? kShopSillM : kSillM) < axis.groundM + kClearM) return; // in the ground
+        const double sillM = floorM + (isShop ? kShopSillM : kSillM);
+        if (sillM < axis.groundM + kClearM) return; // in the ground
+        if (isLifted() && sillM < _standing.floorM + _building.liftedM + kClearM) return; // below the house
         if (isShop)
             addOpening(from, to, axis.middleM, 0.45 * axis.spacingM, floorM + kShopSillM, floorM + 2.5,
                        Detail::shopFront, glm::vec3(0.9F));

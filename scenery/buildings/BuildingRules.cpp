@@ -204,6 +204,8 @@ std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, c
         const bool hasLevels = numberOf(tags, "building:levels", 1.0, 100.0).has_value();
         if (!hasLevels) building.storeys = std::max(1, static_cast<int>(building.eavesM / kStoreyM));
     }
+    const double lowM = numberOf(tags, "min_height", 0.0, 900.0).value_or(0.0);
+    if (lowM < building.eavesM) building.liftedM = lowM;
     building.openings = openingsOf(kind, tags);
     building.hasShop = kind == "retail" || kind == "supermarket" || !valueOf(tags, "shop").empty();
     return building;

@@ -17,7 +17,7 @@ namespace scenery
 
 using BuildingTags = std::map<std::string, std::string, std::less<>>;
 
-/// Makes a building of an outline with the tags of OpenStreetMap's Simple 3D Buildings: height,
+/// Makes a building of an outline with the tags of OpenStreetMap's Simple 3D Buildings: height, min_height,
 /// building:levels, roof:shape, roof:height, roof:levels, roof:orientation, building:colour, roof:colour,
 /// building:material. What they do not say follows from the kind of the building, its area and `id`: the same
 /// id, the same house.

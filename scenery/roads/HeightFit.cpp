@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/roads/HeightFit.h"
 
+#include <algorithm>
+#include <cmath>
 #include <ranges>
 
 namespace scenery
@@ -41,14 +43,20 @@ std::vector<double> lowered(std::vector<double> heights, const std::vector<Heigh
     return heights;
 }
 
+/// The same steps, and heights, upside down.
+std::vector<HeightStep> mirroredSteps(std::vector<HeightStep> steps)
+{
+    for (HeightStep& step : steps)
+        step = {step.from, step.to, -step.mostM, -step.leastM};
+    return steps;
+}
+
 } // namespace
 
 std::vector<double> fitHeights(const std::vector<double>& wishesM, const std::vector<HeightStep>& steps)
 {
     // The least heights above the wishes are the greatest below them, upside down.
-    std::vector<HeightStep> mirrored = steps;
-    for (HeightStep& step : mirrored)
-        step = {step.from, step.to, -step.mostM, -step.leastM};
+    const std::vector<HeightStep> mirrored = mirroredSteps(steps);
     std::vector<double> mirroredWishes = wishesM;
     for (double& wish : mirroredWishes)
         wish = -wish;
@@ -57,6 +65,26 @@ std::vector<double> fitHeights(const std::vector<double>& wishesM, const std::ve
     for (std::size_t i = 0; i < heights.size(); ++i)
         heights[i] = 0.5 * (heights[i] - raised[i]);
     return heights;
+}
+
+std::vector<double> boundWishes(std::vector<double> wishesM, const std::vector<HeightStep>& steps,
+                                const std::vector<HeightBound>& bounds)
+{
+    // The greatest heights below the bounds keep every step, and so does the lower of two such heights.
+    std::vector<double> most(wishesM.size(), std::numeric_limits<double>::infinity()), least = most;
+    bool hasMost = false, hasLeast = false;
+    for (const HeightBound& bound : bounds)
+    {
+        most[bound.node] = std::min(most[bound.node], bound.mostM);
+        least[bound.node] = std::min(least[bound.node], -bound.leastM); // upside down
+        hasMost = hasMost || std::isfinite(bound.mostM);
+        hasLeast = hasLeast || std::isfinite(bound.leastM);
+    }
+    if (hasMost) most = lowered(std::move(most), steps);
+    if (hasLeast) least = lowered(std::move(least), mirroredSteps(steps));
+    for (std::size_t i = 0; i < wishesM.size(); ++i)
+        wishesM[i] = std::max(std::min(wishesM[i], most[i]), -least[i]);
+    return wishesM;
 }
 
 } // namespace scenery

@@ -30,6 +30,7 @@ struct Structure
 {
     StructureKind kind = StructureKind::wall;
     std::vector<glm::dvec2> line; ///< one point for a wind turbine
+    std::vector<double> heightsM; ///< of the formation of a railway at each point; empty: that of the ground
     double heightM = 1.2;
     double widthM = 0.4;   ///< of walls
     bool isBridge = false; ///< a railway that spans straight between its ends
@@ -40,7 +41,8 @@ struct Structure
 using StructureTags = std::map<std::string, std::string, std::less<>>;
 
 /// Makes the structure of a line or point with the tags of OpenStreetMap (barrier, power, railway,
-/// generator:source). Nothing: the tags name none, or the line is underground. Heights: the tag, or customary
+/// generator:source). Nothing: the tags name none, or the line is underground. The tag `heights` of worldtool gives
+/// the heights of a railway at its points, in the datum of the samples. Heights of others: the tag, or customary
 /// ones: walls 1.2 m, city walls 6, fences 1.2, pylons 28 m below 200 kV and 48 above, poles 9.5, turbines 95
 /// to the hub.
 /// Sources: the OpenStreetMap wiki; Darley, *Transmission line engineering* (220 kV: 40 to 60 m, spans of 450

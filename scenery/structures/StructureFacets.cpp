@@ -256,11 +256,28 @@ private:
         return true;
     }
 
+    /// Places along a line that has heights of its own.
+    static std::vector<LinePlace> placesAt(const Structure& railway)
+    {
+        std::vector<LinePlace> places;
+        const auto& line = railway.line;
+        for (std::size_t i = 0; i < line.size(); ++i)
+        {
+            const std::size_t from = i + 1 < line.size() ? i : i - 1;
+            const glm::dvec2 way = line[from + 1] - line[from];
+            const double lengthM = glm::length(way);
+            if (lengthM < 1e-3) continue;
+            places.push_back({{line[i], railway.heightsM[i]}, way / lengthM});
+        }
+        return places;
+    }
+
     bool addRailway(const Structure& railway)
     {
-        auto places = placesOn(railway.line, kWallStepM);
+        const bool hasHeights = railway.heightsM.size() == railway.line.size();
+        auto places = hasHeights ? placesAt(railway) : placesOn(railway.line, kWallStepM);
         if (places.empty()) return false;
-        if (railway.isBridge) span(places);
+        if (railway.isBridge && !hasHeights) span(places);
         double sleeperM = 0.0, poleM = 0.5 * kContactM;
         for (std::size_t i = 0; i + 1 < places.size(); ++i)
         {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <string_view>
 
 #include <foundation/TagQuantity.h>
@@ -29,6 +31,23 @@ double metresOf(const StructureTags& tags, std::string_view key, double least, d
 {
     const auto number = foundation::metresOfTag(tagOf(tags, key));
     return number && *number >= least && *number <= most ? *number : otherwise;
+}
+
+/// The numbers of a list "1.5;2.25;…"; none where it does not have one for each point.
+std::vector<double> heightsOf(std::string_view text, std::size_t points)
+{
+    std::vector<double> heights;
+    while (!text.empty())
+    {
+        double number = 0.0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (failure != std::errc() || !std::isfinite(number)) return {};
+        heights.push_back(number);
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        if (!text.empty() && text.front() != ';') return {};
+        if (!text.empty()) text.remove_prefix(1);
+    }
+    return heights.size() == points ? heights : std::vector<double>();
 }
 
 bool isUndergroundLine(const StructureTags& tags)
@@ -73,6 +92,7 @@ bool setRailway(Structure& structure, const StructureTags& tags)
     structure.isBridge = isTagged(tags, "bridge");
     structure.hasWire = tagOf(tags, "electrified") == "contact_line";
     structure.heightM = 0.0;
+    structure.heightsM = heightsOf(tagOf(tags, "heights"), structure.line.size());
     return true;
 }
 

@@ -31,10 +31,11 @@ constexpr double kHeightSlackM = 0.02, kEndM = 0.5;
 class Outlines
 {
 public:
-    void add(const PlanRings& rings)
+    void add(const PlanRings& rings, std::size_t number)
     {
-        _grid.add(_rings.size(), boxOf(rings.front()));
-        _rings.push_back(&rings);
+        _grid.add(number, boxOf(rings.front()));
+        _rings.resize(std::max(_rings.size(), number + 1));
+        _rings[number] = &rings;
     }
 
     /// Calls `use(number)` for the outlines around a place.
@@ -79,12 +80,13 @@ class Checker
 public:
     explicit Checker(const WorldThings& things) : _things(things)
     {
-        for (const auto& house : things.houses)
-            _houses.add(house.building.rings);
-        for (const PlanRings& water : things.waters)
-            _waters.add(water);
-        for (const PlanRings& runway : things.runways)
-            _runways.add(runway);
+        for (std::size_t i = 0; i < things.houses.size(); ++i)
+            if (things.houses[i].building.liftedM < kLeastClearM) // else lanes run below it
+                _houses.add(things.houses[i].building.rings, i);
+        for (std::size_t i = 0; i < things.waters.size(); ++i)
+            _waters.add(things.waters[i], i);
+        for (std::size_t i = 0; i < things.runways.size(); ++i)
+            _runways.add(things.runways[i], i);
     }
 
     WorldFaults look()
@@ -247,6 +249,11 @@ private:
 WorldFaults checkWorld(const WorldThings& things)
 {
     WorldFaults faults = Checker(things).look();
+    faults.crossingFaults = crossingFaults(things.roads, things.rails, things.groundM);
+    for (const CrossingFault& fault : faults.crossingFaults)
+        ++(fault.flaw == CrossingFlaw::tunnel    ? faults.bareTunnels
+           : fault.flaw == CrossingFlaw::railEnd ? faults.brokenRails
+                                                 : faults.closeCrossings);
     if (!things.elevationM) return faults;
     for (const PlanRings& paving : things.runways)
     {

@@ -12,6 +12,7 @@
 #include <osgRoads/core/place/PlacedNetwork.h>
 
 #include "scenery/buildings/Building.h"
+#include "worldmaking/check/CrossingCheck.h"
 #include "worldmaking/check/LevelCheck.h"
 #include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/land/RoadRoom.h"
@@ -25,6 +26,7 @@ struct WorldThings
     const osgRoads::core::PlacedNetwork* roads = nullptr; ///< null: none
     std::vector<scenery::StandingBuilding> houses;
     std::vector<glm::dvec2> plants; ///< trees, and whatever else stands at a point
+    std::vector<RailLine> rails;
     std::vector<PlanRings> waters, runways;
     PlanRings courses; ///< lines of rivers and streams, downstream
     std::function<std::optional<double>(double eastM, double northM)>
@@ -68,14 +70,18 @@ struct WorldFaults
                 sunkRoads = 0; ///< roads that the ground leaves, or covers, somewhere off bridges and tunnels
     std::size_t unevenRunways = 0; ///< steep or bumpy (LevelCheck.h)
     std::size_t unevenWaters = 0;  ///< steep, or higher than their shores
+    std::size_t closeCrossings = 0; ///< roads and railways that cross with too little room
+    std::size_t bareTunnels = 0;    ///< whose roof stands above the ground
+    std::size_t brokenRails = 0;    ///< that end at a road, or in a step
     double maxGradePercent = 0.0;
     std::vector<RoadFault> roadFaults;   ///< one for each floating or sunk road, in their order
     std::vector<WaterFault> waterFaults; ///< one for each uneven water
+    std::vector<CrossingFault> crossingFaults;
 
     std::size_t total() const
     {
         return onRoad + inWater + onRunway + overlapping + floating + floatingRoads + sunkRoads +
-               unevenRunways + unevenWaters;
+               unevenRunways + unevenWaters + closeCrossings + bareTunnels + brokenRails;
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "worldmaking/land/HouseFile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -60,6 +61,7 @@ Tags tagsOf(const House& house)
     tags.insert_or_assign("roof:height", metres(building.roofM));
     tags.insert_or_assign("building:colour", hexOf(building.wallTint));
     tags.insert_or_assign("roof:colour", hexOf(building.roofTint));
+    if (building.liftedM > 0.0) tags.insert_or_assign("min_height", metres(building.liftedM));
     return tags;
 }
 
@@ -68,10 +70,13 @@ Tags tagsOf(const House& house)
 foundation::Outcome writeHouses(std::span<const House> houses, const std::filesystem::path& file)
 {
     MapFile map(file);
-    map.beginLayer("buildings", ShapeForm::area,
-                   {"osm_id", "building", "name", "height", "building:levels", "roof:shape", "roof:height",
-                    "roof:orientation", "building:colour", "roof:colour", "building:material", "shop",
-                    "aeroway", "service", "tower:type"});
+    std::vector<std::string> keys{"osm_id", "building", "name", "height", "building:levels", "roof:shape",
+                                  "roof:height", "roof:orientation", "building:colour", "roof:colour",
+                                  "building:material", "shop", "aeroway", "service", "tower:type"};
+    if (std::any_of(houses.begin(), houses.end(),
+                    [](const House& house) { return house.building.liftedM > 0.0; }))
+        keys.emplace_back("min_height");
+    map.beginLayer("buildings", ShapeForm::area, keys);
     for (const House& house : houses)
         if (house.shape.form == ShapeForm::area) map.add(house.shape.paths, tagsOf(house));
     map.beginLayer("towers", ShapeForm::point, {"osm_id", "man_made", "name", "height"});

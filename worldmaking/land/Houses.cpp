@@ -14,6 +14,7 @@
 
 #include "scenery/buildings/BuildingRules.h"
 #include "scenery/buildings/Outline.h"
+#include "worldmaking/land/Passages.h"
 #include "worldmaking/land/PlanGrid.h"
 #include "worldmaking/land/Waters.h"
 #include "worldmaking/map/GdalScope.h"
@@ -69,13 +70,46 @@ class HouseTaker
 {
 public:
     HouseTaker(const LandMap& map, const MapPlane& plane, const HouseRoom& room, HouseReport& report)
-        : _plane(plane), _room(room), _waters(map, plane), _report(report)
+        : _plane(plane), _room(room), _waters(map, plane), _passages(map, plane), _report(report)
     {
     }
 
-    std::optional<House> take(const LandShape& shape)
+    void take(const LandShape& shape, std::vector<House>& houses)
     {
         ++_report.read;
+        const auto rings = shape.form == ShapeForm::area ? _plane.toPlan(shape.paths) : std::nullopt;
+        const auto parts = rings ? _passages.part(*rings, kHouseRoomM) : std::nullopt;
+        const auto whole = parts && !isUnderground(shape.tags) ? buildingOf(shape, *rings) : std::nullopt;
+        if (!whole)
+        {
+            if (auto house = takeWhole(shape)) houses.push_back(*std::move(house));
+            return;
+        }
+        ++_report.passages;
+        const double heightM = whole->eavesM + whole->roofM;
+        LandShape part = shape;
+        part.tags.insert_or_assign("height", std::to_string(heightM));
+        part.tags.insert_or_assign("roof:shape", "flat");
+        part.tags.erase("roof:height");
+        for (const PlanRings& beside : parts->beside)
+            takePart(part, beside, houses);
+        if (heightM < kLeastPassedM) return;
+        part.tags.insert_or_assign("min_height", std::to_string(kPassageM));
+        for (const PlanRings& over : parts->over)
+            takePart(part, over, houses);
+    }
+
+private:
+    void takePart(LandShape part, const PlanRings& rings, std::vector<House>& houses)
+    {
+        auto degrees = _plane.toDegrees(rings);
+        if (!degrees) return;
+        part.paths = std::move(*degrees);
+        if (auto house = takeWhole(part)) houses.push_back(*std::move(house));
+    }
+
+    std::optional<House> takeWhole(const LandShape& shape)
+    {
         if (isUnderground(shape.tags)) return leave(_report.underground);
         const auto rings = _plane.toPlan(shape.paths);
         auto building = rings ? buildingOf(shape, *rings) : std::nullopt;
@@ -86,7 +120,9 @@ public:
             if (commonAreaOf(strip, building->rings) > 0.0) return leave(_report.onRunway);
         const auto middle = scenery::rectangleAround(building->rings.front()).middle;
         if (_waters.contain(middle)) return leave(_report.inWater);
-        auto free = _room.roads.cutBack(building->rings, kHouseRoomM, kLeastShare);
+        const bool isOver = building->liftedM >= kPassageM;
+        auto free = isOver ? std::optional(building->rings)
+                           : _room.roads.cutBack(building->rings, kHouseRoomM, kLeastShare);
         if (!free) return leave(_report.onRoad);
         House house{shape, std::move(*building)};
         if (*free != house.building.rings)
@@ -102,7 +138,6 @@ public:
         return house;
     }
 
-private:
     static std::optional<House> leave(std::size_t& count)
     {
         ++count;
@@ -119,6 +154,7 @@ private:
     const MapPlane& _plane;
     const HouseRoom& _room;
     Waters _waters;
+    Passages _passages;
     HouseReport& _report;
 };
 
@@ -155,8 +191,7 @@ std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const Hou
     HouseTaker taker(map, plane, room, report);
     std::vector<House> houses;
     for (const LandShape& shape : map.shapes)
-        if (isHouse(shape))
-            if (auto house = taker.take(shape)) houses.push_back(*std::move(house));
+        if (isHouse(shape)) taker.take(shape, houses);
     partOverlapping(houses, report);
     for (const House& house : houses)
         ++(house.shape.form == ShapeForm::point ? report.towers : report.standing);

@@ -30,6 +30,7 @@ struct HouseReport
     std::size_t overlapping = 0; ///< left out: they lie over a larger one
     std::size_t onRunway = 0;    ///< left out: they reach onto a runway's strip
     std::size_t inWater = 0;     ///< left out: their middle lies in water
+    std::size_t passages = 0;    ///< houses that a street runs through
     std::size_t standing = 0, towers = 0;
 };
 
@@ -46,6 +47,7 @@ struct HouseRoom
 
 /// Takes the buildings (key `building`) and towers of a map that can stand: none within kHouseRoomM of a
 /// lane, none on a runway, none over another, none in water. Larger ones come first where two overlap.
+/// A house with a passage (Passages.h) becomes the parts beside the street, and one over it from kPassageM up.
 /// Sources: as scenery::buildingOf().
 std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const HouseRoom& room,
                             HouseReport& report);

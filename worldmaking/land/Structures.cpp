@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include <glm/glm.hpp>
@@ -30,6 +31,19 @@ const std::vector<std::string> kKeys{
     "height", "width",    "layer",     "electrified", "generator:source", "generator:method",
     "tunnel", "location", "height:hub"};
 
+/// The heights of a railway as one text.
+std::string heightsText(const std::vector<double>& heightsM)
+{
+    std::string list;
+    char text[32];
+    for (const double height : heightsM)
+    {
+        std::snprintf(text, sizeof text, list.empty() ? "%.2f" : ";%.2f", height);
+        list += text;
+    }
+    return list;
+}
+
 /// Collects what a map has, and writes it.
 class StructureTaker
 {
@@ -39,8 +53,9 @@ public:
     {
     }
 
-    void take(const LandShape& shape)
+    void take(const LandShape& shape, std::size_t number)
     {
+        if (takeTracks(shape, number)) return;
         if (shape.form == ShapeForm::point && valueOf(shape.tags, "aeroway") == "windsock")
             return takeWindsock(shape);
         // Areas with a barrier are fenced; a plant's outline is no turbine.
@@ -86,7 +101,9 @@ public:
         MapFile made(file);
         const auto writeAll = [&](const char* name, ShapeForm form, const auto& things)
         {
-            if (!things.empty()) made.beginLayer(name, form, kKeys);
+            auto keys = kKeys;
+            if (!_room.tracks.empty()) keys.push_back("heights");
+            if (!things.empty()) made.beginLayer(name, form, keys);
             for (const auto& [path, tags] : things)
                 if (const auto degrees = _plane.toDegrees({path})) made.add(*degrees, tags);
         };
@@ -97,6 +114,26 @@ public:
 
 private:
     using Thing = std::pair<std::vector<glm::dvec2>, Tags>;
+
+    /// Takes the stretches of a railway that has heights; false: it has none.
+    bool takeTracks(const LandShape& shape, std::size_t number)
+    {
+        bool hasAny = false;
+        for (const Track& track : _room.tracks)
+        {
+            if (track.shape != number) continue;
+            hasAny = true;
+            if (track.place == StreetPlace::tunnel) continue;
+            Tags tags = shape.tags;
+            for (const char* key : {"layer", "tunnel", "bridge", "location"})
+                tags.erase(key);
+            if (track.place == StreetPlace::bridge) tags["bridge"] = "yes";
+            tags["heights"] = heightsText(track.heightsM);
+            _lines.emplace_back(track.points, std::move(tags));
+        }
+        _report.railways += hasAny ? 1 : 0;
+        return hasAny;
+    }
 
     void takeWindsock(const LandShape& shape)
     {
@@ -202,8 +239,8 @@ foundation::Outcome writeStructures(const LandMap& map, const MapPlane& plane, c
                                     const std::filesystem::path& file, StructureReport& report)
 {
     StructureTaker taker(plane, room, report);
-    for (const LandShape& shape : map.shapes)
-        taker.take(shape);
+    for (std::size_t i = 0; i < map.shapes.size(); ++i)
+        taker.take(map.shapes[i], i);
     taker.addWindsocks();
     report.written = taker.size();
     return taker.size() == 0 ? foundation::success() : taker.write(file);

@@ -12,6 +12,7 @@
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
+#include "worldmaking/streets/Track.h"
 
 namespace worldmaking
 {
@@ -32,10 +33,12 @@ struct StructureRoom
     std::span<const Runway> runways;
     std::span<const PlanRings> strips; ///< of the runways
     PlanHeight ground;
+    std::span<const Track> tracks{}; ///< railways with heights of their own, by their shapes in the map
 };
 
 /// Writes walls, fences, power lines, railways, wind turbines and windsocks of a map as a GeoPackage that
-/// `structures` of a .roam file reads. Walls and fences end kGateM before lanes; a runway without a windsock
+/// `structures` of a .roam file reads. Railways with heights have them in the attribute `heights`, one
+/// for each point. Walls and fences end kGateM before lanes; a runway without a windsock
 /// of the map gets one beside its strip. Nothing is written where the map has none. Errors: as
 /// MapFile::finish().
 foundation::Outcome writeStructures(const LandMap& map, const MapPlane& plane, const StructureRoom& room,

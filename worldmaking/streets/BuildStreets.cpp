@@ -9,9 +9,14 @@
 
 #include <osgRoads/core/query/GeoReference.h>
 
+#include "worldmaking/map/MapPlane.h"
+#include "worldmaking/streets/CoverCrossings.h"
+#include "worldmaking/streets/CrossedWays.h"
+#include "worldmaking/streets/CrossingNotes.h"
 #include "worldmaking/streets/Overpass.h"
 #include "worldmaking/streets/StreetHeights.h"
 #include "worldmaking/streets/StreetNetwork.h"
+#include "worldmaking/streets/Tracks.h"
 #include "worldmaking/streets/UntoldBridges.h"
 
 namespace worldmaking
@@ -84,10 +89,49 @@ std::vector<CentreLine> linesOf(const StreetGraph& graph, const std::vector<glm:
     return lines;
 }
 
+/// Streets, then railways. Frame: the plan.
+struct AllWays
+{
+    StreetGraph graph;
+    std::vector<glm::dvec2> places; ///< of nodes
+    std::vector<CentreLine> lines;
+};
+
+foundation::Result<AllWays> allWays(const StreetMap& streets, const StreetGraph& graph, const LandMap& land,
+                                    const GeoReference& reference, const GroundOnEarth& ground,
+                                    const GroundHeight& height)
+{
+    AllWays ways;
+    const StreetMap map = tracksOf(land, streets.nodes, ground);
+    auto places = placesOf(map, reference);
+    if (!places) return places.error();
+    ways.places = std::move(*places);
+    StreetGraph tracks = graphOf(map, ways.places, kShortestChainM, trackTraitsOf);
+    openShortTunnels(tracks, ways.places, height);
+    ways.graph = joined(graph, tracks);
+    ways.lines = linesOf(ways.graph, ways.places);
+    return ways;
+}
+
+Crossings crossingsOf(const AllWays& ways, std::size_t tracks, const LandMap& land, const MapPlane& plane)
+{
+    Crossings crossings;
+    crossings.tracks = tracks;
+    Overpasses passes = overpassesOf(ways.graph, ways.places, ways.lines);
+    crossings.overpasses = std::move(passes.found);
+    crossings.untold = std::move(passes.untold);
+    crossings.levels = levelPlaces(ways.graph, crossings.tracks, ways.lines);
+    for (const Overpass& pass : crossings.untold) // a street and a railway: at one level
+        if (pass.upper < crossings.tracks && pass.lower >= crossings.tracks)
+            crossings.levels.push_back({pass.upper, pass.lower, pass.upperM, pass.lowerM});
+    crossings.crossed = crossedPlaces(ways.graph, ways.places, ways.lines, land, plane);
+    return crossings;
+}
+
 } // namespace
 
 foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEarth& ground,
-                                         const std::string& mapName)
+                                         const std::string& mapName, const LandMap* land)
 {
     Streets streets;
     StreetReport& report = streets.report;
@@ -107,23 +151,44 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEar
     if (graph.chains.empty())
         return foundation::Error{mapName, "there is no street for cars in it",
                                  "name an OpenStreetMap extract of the region"};
-    const std::vector<CentreLine> lines = linesOf(graph, *places);
-    const std::vector<ChainCut> cuts = mouthsOf(graph, lines);
-    const Overpasses overpasses = overpassesOf(graph, *places, lines);
     const auto height = [&](const glm::dvec2& plan) -> std::optional<double>
     {
         const auto geodetic = reference->toGeodetic({plan, 0.0});
         if (!geodetic) return std::nullopt;
         return ground(geodetic->latitudeDeg, geodetic->longitudeDeg);
     };
-    const StreetHeights heights = heightsOf(graph, lines, cuts, overpasses.found, height);
+    const auto plane = MapPlane::create(streets.network.header, mapName);
+    if (!plane) return plane.error();
+    const LandMap noLand;
+    const auto ways = allWays(used, graph, land ? *land : noLand, *reference, ground, height);
+    if (!ways) return ways.error();
+    std::vector<ChainCut> cuts = mouthsOf(graph, linesOf(graph, *places));
+    cuts.resize(ways->graph.chains.size());
+    const Crossings crossings = crossingsOf(*ways, graph.chains.size(), land ? *land : noLand, *plane);
+    const StreetHeights heights = heightsOf(ways->graph, ways->lines, cuts, crossings, height);
     report.closedWays = graph.closedWays;
-    report.overpasses = overpasses.found.size();
-    report.lostOverpasses = heights.lostOverpasses;
-    report.untoldOverpasses = overpasses.untold;
-    StreetNetwork network(used, graph, lines, cuts, heights);
+    report.overpasses = crossings.overpasses.size();
+    report.lostOverpasses = heights.lost.size();
+    report.untoldOverpasses = crossings.untold.size();
+    report.tracks = ways->graph.chains.size() - crossings.tracks;
+    report.levelCrossings = crossings.levels.size();
+    report.bareTunnels = heights.bareTunnels.size();
+    StreetNetwork network(used, graph, ways->lines, cuts, heights);
     network.build(streets.network, report);
+    report.coveredCrossings = coverCrossings(streets.network, ways->graph, cuts, crossings, heights);
     report.untoldBridges = addUntoldBridges(streets.network);
+    streets.tracks = tracksWithHeights(ways->graph, crossings.tracks, ways->lines, ways->places, heights,
+                                       trackSpans(ways->graph, cuts, crossings, heights), height);
+    const auto placeText = [&](const glm::dvec2& plan) -> std::string
+    {
+        const auto degrees = plane->toDegrees(plan);
+        if (!degrees) return "a place off the map";
+        char text[64];
+        std::snprintf(text, sizeof text, "%.5f, %.5f", degrees->y, degrees->x);
+        return text;
+    };
+    report.notes = crossingNotes({ways->graph, ways->lines, cuts, crossings, heights, placeText,
+                                  [&](std::size_t shape) { return land->shapes[shape].id; }});
     return streets;
 }
 

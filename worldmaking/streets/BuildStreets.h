@@ -2,21 +2,20 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include <foundation/Result.h>
 
 #include <osgRoads/core/network/RoadNetwork.h>
 
+#include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/StreetMap.h"
+#include "worldmaking/streets/GroundOnEarth.h"
+#include "worldmaking/streets/Track.h"
 
 namespace worldmaking
 {
-
-/// Returns the height of the ground at a place on the Earth, metres; nothing beyond the data.
-using GroundOnEarth = std::function<std::optional<double>(double latitudeDeg, double longitudeDeg)>;
 
 /// What became of a map's streets.
 struct StreetReport
@@ -30,22 +29,29 @@ struct StreetReport
     double lengthKm = 0.0;         ///< of streets, without crossings
     double steepestPercent = 0.0;
     double steepKm = 0.0; ///< steeper than their class allows: the map leaves no room
+    std::size_t tracks = 0, levelCrossings = 0; ///< chains of railways; where streets meet them
+    std::size_t coveredCrossings = 0; ///< bridges and tunnels that the map lacks over and under other things
+    std::size_t bareTunnels = 0;      ///< that stand above the ground
+    std::vector<std::string> notes;   ///< what could not be made as the map has it (CrossingNotes.h)
 };
 
 struct Streets
 {
     osgRoads::core::RoadNetwork network;
+    std::vector<Track> tracks; ///< in the plan of the network
     StreetReport report;
 };
 
 /// Makes an OpenDRIVE network of the streets of a map on a ground: smooth centre lines, lanes by tags,
 /// crossings with a connecting road for each turn, bridges and tunnels where the map has them, heights within
 /// the grades of each class.
+/// `land`: what else the map has; its railways get heights of their own, and streets pass over and under them,
+/// paths, water and runways.
 /// Frame: transverse Mercator about the middle of the map (in the header as geoReference); heights as
 /// `ground` counts them. Ways of which a node lies beyond the ground are left out, and counted.
 /// Errors: nothing of the map lies on the ground; PROJ.
 /// Cost: about 1 s for 500 km. Same input, same bytes.
 foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEarth& ground,
-                                         const std::string& mapName);
+                                         const std::string& mapName, const LandMap* land = nullptr);
 
 } // namespace worldmaking

@@ -17,7 +17,8 @@ namespace
 
 using scenery::HeightStep;
 
-constexpr double kHeadroomM = 6.5; ///< between their nodes: 4.5 m, a deck of 0.9 m, and what rounding takes
+constexpr double kLeastRiseM = 1.5; ///< of an overpass: with less it is given up
+constexpr double kLeastLevelM = 0.25, kMostLevelM = 0.55; ///< of a street above the formation of a track
 
 /// The gradient of the plane that fits the beginnings of the arms best.
 glm::dvec2 gradientOf(const HeightNodes& nodes, std::size_t area, const std::vector<double>& heights)
@@ -71,7 +72,12 @@ public:
     {
         for (const std::size_t below : pass.lower)
             for (const std::size_t above : pass.upper)
-                steps.push_back({below, above, kHeadroomM, std::numeric_limits<double>::infinity()});
+                steps.push_back({below, above, pass.riseM, std::numeric_limits<double>::infinity()});
+    }
+
+    void addLevel(const LevelNodes& level)
+    {
+        steps.push_back({level.track, level.street, kLeastLevelM, kMostLevelM});
     }
 
     std::vector<HeightStep> steps;
@@ -97,47 +103,63 @@ private:
 class HeightFitter
 {
 public:
-    HeightFitter(const StreetGraph& graph, const HeightNodes& nodes, const std::vector<double>& wishes)
-        : planes(planesOf(nodes, wishes)), _graph(graph), _nodes(nodes), _wishes(wishes)
+    HeightFitter(const StreetGraph& graph, const HeightNodes& nodes, const std::vector<double>& wishes,
+                 const FitLimits& limits)
+        : planes(planesOf(nodes, wishes)), _graph(graph), _nodes(nodes), _wishes(wishes), _limits(limits)
     {
     }
 
-    /// `overpasses`: lower and upper node of each.
-    std::vector<double> fit(std::vector<OverpassNodes> overpasses)
+    std::vector<double> fit()
     {
         std::vector<double> heights = fitted({});
         for (int attempt = 0; attempt < kMostAttempts && levelStrained(heights); ++attempt)
             heights = fitted({});
-        const std::size_t all = overpasses.size();
-        const HeightRoom room(heights, _steps);
-        std::erase_if(overpasses,
-                      [&](const OverpassNodes& pass)
-                      {
-                          return !pass.all([&](std::size_t below, std::size_t above)
-                                           { return room.allows(below, above, kHeadroomM); });
-                      });
+        std::vector<OverpassNodes> overpasses = withRoom(HeightRoom(heights, _steps));
         while (!overpasses.empty())
         {
             heights = fitted(overpasses);
             const std::vector<char> strained = strainedNodes(heights);
             const auto isStrained = [&](const OverpassNodes& pass)
             {
-                return !pass.all([&](std::size_t below, std::size_t above)
-                                 { return strained[below] == 0 && strained[above] == 0; });
+                const bool isKept = pass.all([&](std::size_t below, std::size_t above)
+                                             { return strained[below] == 0 && strained[above] == 0; });
+                if (!isKept) lost.push_back(pass.number);
+                return !isKept;
             };
             if (std::erase_if(overpasses, isStrained) == 0) break; // each has room, and all together
             if (overpasses.empty()) heights = fitted({});
         }
-        lostOverpasses = all - overpasses.size();
+        std::sort(lost.begin(), lost.end());
+        lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
         return heights;
     }
 
     std::vector<CrossingPlane> planes;
-    std::size_t lostOverpasses = 0;
+    std::vector<std::size_t> lost;
 
 private:
     static constexpr int kMostAttempts = 12;
     static constexpr double kErrorM = 0.001, kLessLean = 0.5, kLevel = 0.005;
+
+    /// The overpasses with the rise that there is room for; those with too little are lost.
+    std::vector<OverpassNodes> withRoom(const HeightRoom& room)
+    {
+        std::vector<OverpassNodes> kept;
+        for (OverpassNodes pass : _limits.overpasses)
+        {
+            double mostM = pass.riseM;
+            for (const std::size_t below : pass.lower)
+                for (const std::size_t above : pass.upper)
+                    mostM = std::min(mostM, room.mostM(below, above, pass.riseM));
+            if (mostM < pass.riseM)
+            {
+                lost.push_back(pass.number);
+                pass.riseM = mostM - kErrorM;
+            }
+            if (pass.riseM >= kLeastRiseM) kept.push_back(pass);
+        }
+        return kept;
+    }
 
     std::vector<double> fitted(const std::vector<OverpassNodes>& overpasses)
     {
@@ -146,8 +168,11 @@ private:
             maker.addRow(_nodes.rows[i], _graph.chains[i]);
         for (const OverpassNodes& pass : overpasses)
             maker.addOverpass(pass);
+        for (const LevelNodes& level : _limits.levels)
+            maker.addLevel(level);
         _steps = std::move(maker.steps);
-        return scenery::fitHeights(_wishes, _steps);
+        if (_limits.bounds.empty()) return scenery::fitHeights(_wishes, _steps);
+        return scenery::fitHeights(scenery::boundWishes(_wishes, _steps, _limits.bounds), _steps);
     }
 
     /// Returns for each node whether a step at it is not kept.
@@ -194,21 +219,22 @@ private:
     const StreetGraph& _graph;
     const HeightNodes& _nodes;
     const std::vector<double>& _wishes;
+    const FitLimits& _limits;
     std::vector<HeightStep> _steps;
 };
 
 } // namespace
 
 FittedHeights fitToLimits(const StreetGraph& graph, const HeightNodes& nodes,
-                          const std::vector<double>& wishesM, std::vector<OverpassNodes> overpasses)
+                          const std::vector<double>& wishesM, const FitLimits& limits)
 {
-    HeightFitter fitter(graph, nodes, wishesM);
+    HeightFitter fitter(graph, nodes, wishesM, limits);
     FittedHeights fitted;
-    fitted.heightsM = fitter.fit(std::move(overpasses));
+    fitted.heightsM = fitter.fit();
     fitted.planes = std::move(fitter.planes);
     for (std::size_t i = 0; i < fitted.planes.size(); ++i)
         fitted.planes[i].heightM = fitted.heightsM[i];
-    fitted.lostOverpasses = fitter.lostOverpasses;
+    fitted.lost = std::move(fitter.lost);
     return fitted;
 }
 

@@ -36,6 +36,7 @@ HeightRow rowOf(const StreetGraph& graph, const StreetChain& chain, const Centre
         row.points.push_back(line.at(alongM));
         row.steepest.push_back(traits.steepest);
         row.isFree.push_back(traits.place != StreetPlace::ground);
+        row.isTunnel.push_back(traits.place == StreetPlace::tunnel);
     }
     return row;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -29,9 +32,18 @@ struct HeightRow
     std::vector<osgRoads::core::PlanPoint> points;
     std::vector<double> steepest; ///< that the class of the street allows at each node
     std::vector<char> isFree;     ///< of each node: on a bridge or in a tunnel
+    std::vector<char> isTunnel;   ///< of each node
 
     std::size_t last() const { return points.size() - 1; }
     double lengthM() const { return stepM * static_cast<double>(last()); }
+
+    /// The nodes before and after a place of the road, as places in this row.
+    std::array<std::size_t, 2> around(double alongM) const
+    {
+        const double most = static_cast<double>(last()), place = alongM / stepM;
+        const auto at = [&](double node) { return static_cast<std::size_t>(std::clamp(node, 0.0, most)); };
+        return {at(std::floor(place)), at(std::ceil(place))};
+    }
 };
 
 /// Crossings that lie in one plane: roads between them are too short to lead from one plane to another.

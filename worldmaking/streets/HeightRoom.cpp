@@ -21,7 +21,7 @@ HeightRoom::HeightRoom(std::vector<double> heightsM, const std::vector<scenery::
     }
 }
 
-bool HeightRoom::allows(std::size_t lower, std::size_t upper, double riseM) const
+double HeightRoom::mostM(std::size_t lower, std::size_t upper, double riseM) const
 {
     const double neededM = riseM - (_heightsM[upper] - _heightsM[lower]);
     using Reached = std::pair<double, std::size_t>;
@@ -32,8 +32,8 @@ bool HeightRoom::allows(std::size_t lower, std::size_t upper, double riseM) cons
     {
         const auto [roomM, node] = queue.top();
         queue.pop();
-        if (roomM >= neededM) return true; // whatever comes has more
-        if (node == upper) return false;
+        if (roomM >= neededM) return riseM; // whatever comes has more
+        if (node == upper) return _heightsM[upper] - _heightsM[lower] + roomM;
         if (roomM > least[node]) continue;
         for (const Edge& edge : _edges[node])
         {
@@ -43,7 +43,7 @@ bool HeightRoom::allows(std::size_t lower, std::size_t upper, double riseM) cons
             queue.emplace(found->second, edge.to);
         }
     }
-    return true;
+    return riseM;
 }
 
 } // namespace worldmaking

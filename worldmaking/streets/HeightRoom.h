@@ -17,9 +17,15 @@ public:
     /// `heightsM`: of each node; they keep all steps within `errorM`.
     HeightRoom(std::vector<double> heightsM, const std::vector<scenery::HeightStep>& steps);
 
-    /// Tells whether the node `upper` can lie `riseM` above `lower`.
+    /// Returns how far the node `upper` can lie above `lower`, `riseM` at most.
     /// Cost: the nodes that steps hold closer to `lower` than that, times their logarithm.
-    bool allows(std::size_t lower, std::size_t upper, double riseM) const;
+    double mostM(std::size_t lower, std::size_t upper, double riseM) const;
+
+    /// Tells whether the node `upper` can lie `riseM` above `lower`.
+    bool allows(std::size_t lower, std::size_t upper, double riseM) const
+    {
+        return mostM(lower, upper, riseM) >= riseM;
+    }
 
 private:
     struct Edge

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace worldmaking
 {
@@ -67,7 +68,8 @@ double cross(glm::dvec2 a, glm::dvec2 b)
     return a.x * b.y - a.y * b.x;
 }
 
-/// The shares of both pieces at which they cross.
+} // namespace
+
 std::optional<glm::dvec2> crossingShares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d)
 {
     const double area = cross(b - a, d - c);
@@ -77,17 +79,28 @@ std::optional<glm::dvec2> crossingShares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 
     return glm::dvec2(u, v);
 }
 
-} // namespace
+double sineBetween(glm::dvec2 a, glm::dvec2 b)
+{
+    return std::fabs(cross(a, b)) / (glm::length(a) * glm::length(b));
+}
+
+Separation separationOf(const StreetTraits& upper, const StreetTraits& lower)
+{
+    constexpr double kWireM = 5.9; // of the contact wire above the formation
+    const double deckM = upper.isTrack ? kTrackDeckM : kRoadDeckM;
+    if (!lower.isTrack && lower.place == StreetPlace::tunnel)
+        return {kTunnelRoofM + (upper.place == StreetPlace::tunnel ? kRoundingM : 0.0), kClearM};
+    if (!lower.isTrack) return {kClearM + deckM + kRoundingM, kClearM};
+    const double topM = lower.hasWire ? kWireM + 0.3 : kRailTopM + kClearM;
+    return {topM + deckM + kRoundingM, kClearM};
+}
 
 Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>& places,
                         const std::vector<CentreLine>& lines)
 {
     Overpasses result;
-    const auto level = [&](const PieceRef& ref)
-    {
-        const StreetPlace place = graph.traitsAt(graph.chains[ref.chain], ref.piece).place;
-        return place == StreetPlace::bridge ? 1 : place == StreetPlace::tunnel ? -1 : 0;
-    };
+    const auto traits = [&](const PieceRef& ref) -> const StreetTraits&
+    { return graph.traitsAt(graph.chains[ref.chain], ref.piece); };
     const auto along = [&](const PieceRef& ref, double share)
     {
         const auto& pointsM = lines[ref.chain].pointsM();
@@ -102,13 +115,24 @@ Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>&
         const auto shares =
             crossingShares(places[ends[0]], places[ends[1]], places[ends[2]], places[ends[3]]);
         if (!shares) continue;
-        if (level(a) == level(b))
+        const int above = aboveOf(traits(a).level(), traits(b).level());
+        Overpass pass{a.chain, b.chain, along(a, shares->x), along(b, shares->y)};
+        pass.sine = sineBetween(places[ends[1]] - places[ends[0]], places[ends[3]] - places[ends[2]]);
+        if (above == 0)
         {
-            ++result.untold;
+            result.untold.push_back(pass);
             continue;
         }
-        const Overpass as{a.chain, b.chain, along(a, shares->x), along(b, shares->y)};
-        result.found.push_back(level(a) > level(b) ? as : Overpass{as.lower, as.upper, as.lowerM, as.upperM});
+        const StreetTraits& below = above > 0 ? traits(b) : traits(a);
+        if (below.isTrack && below.place == StreetPlace::tunnel) continue; // it has no place among what is seen
+        if (above < 0) std::swap(pass.upper, pass.lower), std::swap(pass.upperM, pass.lowerM);
+        const StreetTraits& over = above > 0 ? traits(a) : traits(b);
+        const Separation wanted = separationOf(over, below);
+        pass.isLowerTube = !below.isTrack && below.place == StreetPlace::tunnel;
+        pass.isUpperLifted = over.place == StreetPlace::bridge || over.layer > 0;
+        pass.isLowerSunk = below.place == StreetPlace::tunnel || below.layer < 0;
+        pass.riseM = wanted.riseM, pass.clearM = wanted.clearM;
+        result.found.push_back(pass);
     }
     return result;
 }

@@ -15,6 +15,8 @@ namespace
 
 constexpr int kNone = -1;
 
+using TraitsRule = std::function<std::optional<StreetTraits>(const Tags&)>;
+
 /// A piece of a way between two neighbouring nodes.
 struct Segment
 {
@@ -28,7 +30,8 @@ struct Segment
 class ChainFinder
 {
 public:
-    ChainFinder(const StreetMap& map, StreetGraph& graph) : _graph(graph), _meeting(map.nodes.size())
+    ChainFinder(const StreetMap& map, StreetGraph& graph, const TraitsRule& rule)
+        : _graph(graph), _rule(rule), _meeting(map.nodes.size())
     {
         for (const MapWay& way : map.ways)
             addWay(way);
@@ -55,7 +58,7 @@ public:
 private:
     void addWay(const MapWay& way)
     {
-        const auto traits = traitsOf(way.tags);
+        const auto traits = _rule(way.tags);
         if (!traits)
         {
             ++_graph.closedWays;
@@ -106,6 +109,7 @@ private:
     }
 
     StreetGraph& _graph;
+    const TraitsRule& _rule;
     std::vector<Segment> _segments;
     std::set<std::pair<std::uint32_t, std::uint32_t>> _pairs;
     std::vector<std::vector<std::size_t>> _meeting; ///< segments at each point
@@ -176,10 +180,11 @@ void addArms(StreetGraph& graph)
 
 } // namespace
 
-StreetGraph graphOf(const StreetMap& map, const std::vector<glm::dvec2>& places, double shortestM)
+StreetGraph graphOf(const StreetMap& map, const std::vector<glm::dvec2>& places, double shortestM,
+                    const std::function<std::optional<StreetTraits>(const Tags&)>& traits)
 {
     StreetGraph graph;
-    ChainFinder(map, graph).find();
+    ChainFinder(map, graph, traits).find();
     joinCrossings(graph, places, shortestM);
     addArms(graph);
     return graph;

@@ -155,15 +155,6 @@ void setSidewalks(const Tags& tags, StreetTraits& traits)
     traits.hasRightSidewalk = both || has("right", "sidewalk:right");
 }
 
-StreetPlace placeOf(const Tags& tags)
-{
-    const std::string_view bridge = valueOf(tags, "bridge"), tunnel = valueOf(tags, "tunnel");
-    // A passage through a house is at the level of the street.
-    if (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") return StreetPlace::tunnel;
-    if (!bridge.empty() && bridge != "no") return StreetPlace::bridge;
-    return StreetPlace::ground;
-}
-
 } // namespace
 
 StreetTraits StreetTraits::reversed() const
@@ -214,7 +205,9 @@ std::optional<StreetTraits> traitsOf(const Tags& tags, TagCounts* approximated)
     traits.hasCentreMark = isMarked && (found->hasCentreMark || marks == "yes") && traits.forwardLanes > 0 &&
                            traits.backwardLanes > 0;
     traits.hasEdgeMarks = isMarked && found->hasEdgeMarks;
-    traits.place = placeOf(tags);
+    const WayLevel level = levelOf(tags);
+    traits.place = level.place;
+    traits.layer = level.layer;
     return traits;
 }
 

@@ -7,17 +7,10 @@
 
 #include "worldmaking/map/StreetMap.h"
 #include "worldmaking/map/TagCounts.h"
+#include "worldmaking/streets/WayLevel.h"
 
 namespace worldmaking
 {
-
-/// What lies on a piece of a street.
-enum class StreetPlace
-{
-    ground,
-    bridge,
-    tunnel,
-};
 
 /// What a street for cars is like, along a piece of it. Units: metres, km/h, metres per metre.
 struct StreetTraits
@@ -39,6 +32,9 @@ struct StreetTraits
     double forwardKmh = 50.0, backwardKmh = 50.0; ///< of each
     double steepest = 0.15;                       ///< grade that its class allows
     StreetPlace place = StreetPlace::ground;
+    int layer = 0;        ///< among ways that cross
+    bool isTrack = false; ///< a railway (Tracks.h): its heights are those of the formation
+    bool hasWire = false; ///< a contact wire above a track
 
     /// Whether cars of both directions share all lanes.
     bool isSingleTrack() const { return sharedLanes > 0 && forwardLanes + backwardLanes == 0; }
@@ -47,6 +43,7 @@ struct StreetTraits
     {
         return forwardKmh == backwardKmh ? std::pair(0.0, 0.0) : std::pair(forwardKmh, backwardKmh);
     }
+    WayLevel level() const { return {place, layer}; }
     /// The same street seen from its other end.
     StreetTraits reversed() const;
     /// Whether both have the same lanes, so that no lane begins or ends between them.
