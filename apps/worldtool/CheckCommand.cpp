@@ -69,7 +69,8 @@ foundation::Outcome addRails(const RoamFile& world, const PlacedTile& tile, Worl
         if (!shapes) return shapes.error();
         for (const auto& line : shapes->linear)
         {
-            auto structure = scenery::structureOf(line.points, line.tags, static_cast<std::uint64_t>(line.id));
+            auto structure =
+                scenery::structureOf(line.points, line.tags, static_cast<std::uint64_t>(line.id));
             if (!structure || structure->heightsM.empty()) continue; // on the ground, whatever that is
             scenery::putHeightsInScene(*structure, tile);
             worldmaking::RailLine rail;

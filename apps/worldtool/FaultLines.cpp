@@ -33,26 +33,32 @@ std::string placeOf(const PlacedTile& tile, const glm::dvec3& scene)
 class LineWriter
 {
 public:
-    LineWriter(const osgRoads::core::PlacedNetwork* roads, const PlacedTile& tile) : _roads(roads), _tile(tile) {}
+    LineWriter(const osgRoads::core::PlacedNetwork* roads, const PlacedTile& tile)
+        : _roads(roads), _tile(tile)
+    {
+    }
 
     void addCrossing(const CrossingFault& fault)
     {
         switch (fault.flaw)
         {
         case CrossingFlaw::roads:
-            return add(fault.place, road(fault.road) + " passes over " + road(fault.other) + " with " + clear(fault),
-                       "give the upper one a bridge with a longer approach, or the lower one a tunnel; join other "
-                       "streets farther away");
+            return add(
+                fault.place, road(fault.road) + " passes over " + road(fault.other) + " with " + clear(fault),
+                "give the upper one a bridge with a longer approach, or the lower one a tunnel; join other "
+                "streets farther away");
         case CrossingFlaw::rails:
             return add(fault.place,
-                       road(fault.road) + (fault.isRoadAbove ? " passes over" : " passes under") + " a railway with " +
-                           clear(fault),
-                       "give one of them bridge=yes and a layer, or both a common node where they cross on one level");
+                       road(fault.road) + (fault.isRoadAbove ? " passes over" : " passes under") +
+                           " a railway with " + clear(fault),
+                       "give one of them bridge=yes and a layer, or both a common node where they cross on "
+                       "one level");
         case CrossingFlaw::tunnel:
             return add(fault.place,
                        "the tunnel of " + road(fault.road) + " stands " + number(fault.foundM, "%.1f m") +
                            " above the ground",
-                       "join other streets farther from its portals, so that ramps have room, or take the tunnel off "
+                       "join other streets farther from its portals, so that ramps have room, or take the "
+                       "tunnel off "
                        "the map");
         case CrossingFlaw::railEnd:
             if (fault.road < 0)
@@ -82,12 +88,15 @@ public:
             what += " reaches beyond the elevation data";
         else
             what += " does not lie level: slope " + number(100.0 * figures.slope, "%.0f %%") + ", fall " +
-                    number(100.0 * figures.fall, "%.0f %%") + ", rise " + number(100.0 * figures.rise, "%.0f %%") +
-                    ", " + number(100.0 * figures.lowShore, "%.0f %% of its shore low");
-        add(isSteep && figures.isKnown ? glm::dvec3(figures.steepAt, 0.0) : glm::dvec3(fault.place, 0.0), what,
-            figures.isKnown ? "give the river a line (waterway) along its course, finer elevation data, or an outline "
-                              "that keeps off slopes and roads"
-                            : "give elevation data around it, or cut the map (--bounds)");
+                    number(100.0 * figures.fall, "%.0f %%") + ", rise " +
+                    number(100.0 * figures.rise, "%.0f %%") + ", " +
+                    number(100.0 * figures.lowShore, "%.0f %% of its shore low");
+        add(isSteep && figures.isKnown ? glm::dvec3(figures.steepAt, 0.0) : glm::dvec3(fault.place, 0.0),
+            what,
+            figures.isKnown
+                ? "give the river a line (waterway) along its course, finer elevation data, or an outline "
+                  "that keeps off slopes and roads"
+                : "give elevation data around it, or cut the map (--bounds)");
     }
 
     /// Ends a kind.
@@ -113,7 +122,8 @@ private:
 
     static std::string clear(const CrossingFault& fault)
     {
-        return number(std::max(0.0, fault.foundM), "%.1f m clear instead of ") + number(fault.wantedM, "%.1f m");
+        return number(std::max(0.0, fault.foundM), "%.1f m clear instead of ") +
+               number(fault.wantedM, "%.1f m");
     }
 
     const osgRoads::core::PlacedNetwork* _roads;

@@ -93,7 +93,8 @@ foundation::Outcome WorldMaker::make()
 /// A map without streets becomes a world without roads.
 foundation::Result<worldmaking::Streets> WorldMaker::makeStreets(const std::string& mapName) const
 {
-    if (!_source.streets.ways.empty()) return worldmaking::buildStreets(_source.streets, _shaped, mapName, &_source.land);
+    if (!_source.streets.ways.empty())
+        return worldmaking::buildStreets(_source.streets, _shaped, mapName, &_source.land);
     worldmaking::Streets none;
     none.network.header = worldmaking::planeAbout(_source.land);
     return none;
@@ -212,8 +213,8 @@ foundation::Outcome WorldMaker::writeEarth()
 {
     _hasEarth = !_works.empty();
     if (!_hasEarth) return foundation::success();
-    return part("earthworks.gpkg", [&](const auto& path)
-                { return worldmaking::writeEarthworks(_works, *_earthPlane, path); });
+    return part("earthworks.gpkg",
+                [&](const auto& path) { return worldmaking::writeEarthworks(_works, *_earthPlane, path); });
 }
 
 std::optional<worldmaking::MapBox> WorldMaker::limitIn(const worldmaking::MapPlane& plane) const
@@ -277,8 +278,9 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
             !written)
             return written;
     worldmaking::StructureReport standing;
-    if (auto written = worldmaking::writeStructures(_source.land, plane, {room, _runways, _strips, height, _tracks},
-                                                    file("structures.gpkg"), standing);
+    if (auto written =
+            worldmaking::writeStructures(_source.land, plane, {room, _runways, _strips, height, _tracks},
+                                         file("structures.gpkg"), standing);
         !written)
         return written;
     _hasStructures = standing.written > 0;

@@ -39,7 +39,8 @@ struct Building
         rings;           ///< the outer one counter-clockwise, then courtyards clockwise
     double eavesM = 6.0; ///< of the walls above the floor, without the roof
     double roofM = 2.5;  ///< of the roof above the eaves
-    double liftedM = 0.0; ///< of a part over a passage: its underside above the floor; below it there is nothing
+    double liftedM =
+        0.0; ///< of a part over a passage: its underside above the floor; below it there is nothing
     RoofForm roof = RoofForm::gabled;
     bool isRidgeAcross = false; ///< the ridge lies along the shorter side
     int storeys = 2;

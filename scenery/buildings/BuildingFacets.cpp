@@ -72,7 +72,8 @@ private:
 
     void addWall(const glm::dvec2& from, const glm::dvec2& to, bool hasEaves)
     {
-        const double lengthM = glm::length(to - from), lowM = std::max(_standing.footM, _standing.floorM) + _building.liftedM;
+        const double lengthM = glm::length(to - from),
+                     lowM = std::max(_standing.footM, _standing.floorM) + _building.liftedM;
         if (!isLifted()) addPlinth(from, to, lowM);
         std::vector<double> shares{0.0};
         for (const double share : _roof.breaksOn(from, to))
@@ -153,7 +154,8 @@ private:
         }
         for (const auto& indices : tessellation->triangles)
         {
-            std::array<glm::dvec2, 3> triangle{glm::dvec2(corners[indices[0]]), glm::dvec2(corners[indices[1]]),
+            std::array<glm::dvec2, 3> triangle{glm::dvec2(corners[indices[0]]),
+                                               glm::dvec2(corners[indices[1]]),
                                                glm::dvec2(corners[indices[2]])};
             const glm::dvec2 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
             if (ab.x * ac.y - ab.y * ac.x < 0.0) std::swap(triangle[1], triangle[2]);
@@ -182,7 +184,8 @@ private:
                              corners.push_back(local(triangle[i], heightM));
                              uv.emplace_back((triangle[i] - glm::dvec2(_origin)) / models::kWallPictureM);
                          }
-                         _facets.shell[_building.wall].addPolygon(corners, uv, kPlinthShade * _building.wallTint,
+                         _facets.shell[_building.wall].addPolygon(corners, uv,
+                                                                  kPlinthShade * _building.wallTint,
                                                                   std::vector<float>(3, kSkyAtEaves));
                      });
     }
@@ -308,7 +311,7 @@ private:
                      floorM = _standing.floorM + storey * storeyM;
         const bool isShop = _building.hasShop && storey == 0;
         const double sillM = floorM + (isShop ? kShopSillM : kSillM);
-        if (sillM < axis.groundM + kClearM) return; // in the ground
+        if (sillM < axis.groundM + kClearM) return;                                       // in the ground
         if (isLifted() && sillM < _standing.floorM + _building.liftedM + kClearM) return; // below the house
         if (isShop)
             addOpening(from, to, axis.middleM, 0.45 * axis.spacingM, floorM + kShopSillM, floorM + 2.5,

@@ -19,8 +19,7 @@ struct HeightStep
 struct HeightBound
 {
     std::size_t node = 0;
-    double leastM = -std::numeric_limits<double>::infinity(),
-           mostM = std::numeric_limits<double>::infinity();
+    double leastM = -std::numeric_limits<double>::infinity(), mostM = std::numeric_limits<double>::infinity();
 };
 
 /// Returns the heights that depart least from the wished ones, at the worst node, among those that keep every

@@ -41,10 +41,10 @@ struct Structure
 using StructureTags = std::map<std::string, std::string, std::less<>>;
 
 /// Makes the structure of a line or point with the tags of OpenStreetMap (barrier, power, railway,
-/// generator:source). Nothing: the tags name none, or the line is underground. The tag `heights` of worldtool gives
-/// the heights of a railway at its points, in the datum of the samples. Heights of others: the tag, or customary
-/// ones: walls 1.2 m, city walls 6, fences 1.2, pylons 28 m below 200 kV and 48 above, poles 9.5, turbines 95
-/// to the hub.
+/// generator:source). Nothing: the tags name none, or the line is underground. The tag `heights` of worldtool
+/// gives the heights of a railway at its points, in the datum of the samples. Heights of others: the tag, or
+/// customary ones: walls 1.2 m, city walls 6, fences 1.2, pylons 28 m below 200 kV and 48 above, poles 9.5,
+/// turbines 95 to the hub.
 /// Sources: the OpenStreetMap wiki; Darley, *Transmission line engineering* (220 kV: 40 to 60 m, spans of 450
 /// to 550 m).
 std::optional<Structure> structureOf(std::vector<glm::dvec2> line, const StructureTags& tags,

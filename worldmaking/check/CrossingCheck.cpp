@@ -58,7 +58,8 @@ bool haveJunction(const Road& a, const Road& b)
 {
     const auto leadsTo = [](const Road& road, const std::string& junction)
     {
-        const auto is = [&](const auto& link) { return link && link->isJunction && link->elementId == junction; };
+        const auto is = [&](const auto& link)
+        { return link && link->isJunction && link->elementId == junction; };
         return is(road.predecessor) || is(road.successor);
     };
     if (!a.junctionId.empty() && (a.junctionId == b.junctionId || leadsTo(b, a.junctionId))) return true;
@@ -97,7 +98,8 @@ public:
         for (int i = 0; _roads && i < static_cast<int>(_roads->network().roads.size()); ++i)
             for (const auto& structure : _roads->road(i).structures)
             {
-                if (structure.kind != osgRoads::core::StructureKind::tunnel || !_roads->road(i).isUsable) continue;
+                if (structure.kind != osgRoads::core::StructureKind::tunnel || !_roads->road(i).isUsable)
+                    continue;
                 const double roomM = std::min(kPortalRoomM, 0.5 * structure.length);
                 CrossingFault worst{CrossingFlaw::tunnel, i};
                 for (double s = structure.s + roomM; s <= structure.s + structure.length - roomM + 1e-6;
@@ -152,8 +154,10 @@ private:
 
     void lookAt(const WayStretch& a, const WayStretch& b)
     {
-        if (a.road == b.road || (b.road >= 0 && haveJunction(_roads->road(a.road), _roads->road(b.road)))) return;
-        const auto shares = crossingShares(glm::dvec2(a.from), glm::dvec2(a.to), glm::dvec2(b.from), glm::dvec2(b.to));
+        if (a.road == b.road || (b.road >= 0 && haveJunction(_roads->road(a.road), _roads->road(b.road))))
+            return;
+        const auto shares =
+            crossingShares(glm::dvec2(a.from), glm::dvec2(a.to), glm::dvec2(b.from), glm::dvec2(b.to));
         if (!shares) return;
         const glm::dvec3 at = glm::mix(a.from, a.to, shares->x);
         const double otherM = std::lerp(b.from.z, b.to.z, shares->y), s = a.s + shares->x * a.lengthM;
@@ -163,7 +167,8 @@ private:
             lookAtRails(a, s, at, otherM);
     }
 
-    void lookAtRoads(const WayStretch& a, double s, const glm::dvec3& at, const WayStretch& b, double otherS, double otherM)
+    void lookAtRoads(const WayStretch& a, double s, const glm::dvec3& at, const WayStretch& b, double otherS,
+                     double otherM)
     {
         const bool isAbove = at.z >= otherM;
         const double apartM = std::fabs(at.z - otherM);
@@ -180,8 +185,8 @@ private:
         if (std::fabs(aboveM - kRailTopM) <= kSameLevelM) return;
         CrossingFault fault{CrossingFlaw::rails, a.road, -1, s};
         fault.isRoadAbove = aboveM > kRailTopM;
-        fault.foundM = fault.isRoadAbove ? aboveM - kRailTopM - kRoadDeckM
-                                         : -aboveM - deckAbove(a.road, s, kTrackDeckM);
+        fault.foundM =
+            fault.isRoadAbove ? aboveM - kRailTopM - kRoadDeckM : -aboveM - deckAbove(a.road, s, kTrackDeckM);
         note(fault, at);
     }
 
@@ -207,10 +212,16 @@ private:
     void lookAtEnd(std::size_t rail, const glm::dvec3& end)
     {
         double leastStepM = 1e9;
-        for (std::size_t other = 0; other < _rails.size(); ++other)
-            for (const glm::dvec3& place : _rails[other].points)
-                if (other != rail && glm::distance(glm::dvec2(place), glm::dvec2(end)) < kJoinM)
+        const glm::dvec2 plan(end);
+        const auto look = [&](std::size_t i)
+        {
+            const WayStretch& stretch = _stretches[i];
+            if (stretch.road >= 0 || stretch.rail == rail) return;
+            for (const glm::dvec3& place : {stretch.from, stretch.to})
+                if (glm::distance(glm::dvec2(place), plan) < kJoinM)
                     leastStepM = std::min(leastStepM, std::fabs(place.z - end.z));
+        };
+        _grid.near({plan - kJoinM, plan + kJoinM}, look);
         if (leastStepM <= kMostRailStepM) return;
         CrossingFault fault{CrossingFlaw::railEnd};
         fault.place = end;

@@ -34,8 +34,9 @@ struct CrossingFault
     CrossingFlaw flaw = CrossingFlaw::roads;
     int road = -1; ///< the upper one of two; that of the tunnel; -1: a step of rails
     int other = -1;
-    double sM = 0.0;        ///< along `road`
-    double foundM = 0.0;    ///< the room that is clear; of a tunnel, how far its roof stands out; of rails, the step
+    double sM = 0.0; ///< along `road`
+    double foundM =
+        0.0; ///< the room that is clear; of a tunnel, how far its roof stands out; of rails, the step
     double wantedM = 0.0;
     bool isRoadAbove = true; ///< of a railway
     glm::dvec3 place{0.0};

@@ -68,8 +68,8 @@ struct WorldFaults
     std::size_t floating = 0;    ///< houses with walls that end above the ground or floors below all of it
     std::size_t floatingRoads = 0,
                 sunkRoads = 0; ///< roads that the ground leaves, or covers, somewhere off bridges and tunnels
-    std::size_t unevenRunways = 0; ///< steep or bumpy (LevelCheck.h)
-    std::size_t unevenWaters = 0;  ///< steep, or higher than their shores
+    std::size_t unevenRunways = 0;  ///< steep or bumpy (LevelCheck.h)
+    std::size_t unevenWaters = 0;   ///< steep, or higher than their shores
     std::size_t closeCrossings = 0; ///< roads and railways that cross with too little room
     std::size_t bareTunnels = 0;    ///< whose roof stands above the ground
     std::size_t brokenRails = 0;    ///< that end at a road, or in a step

@@ -70,9 +70,11 @@ Tags tagsOf(const House& house)
 foundation::Outcome writeHouses(std::span<const House> houses, const std::filesystem::path& file)
 {
     MapFile map(file);
-    std::vector<std::string> keys{"osm_id", "building", "name", "height", "building:levels", "roof:shape",
-                                  "roof:height", "roof:orientation", "building:colour", "roof:colour",
-                                  "building:material", "shop", "aeroway", "service", "tower:type"};
+    std::vector<std::string> keys{"osm_id",      "building",          "name",
+                                  "height",      "building:levels",   "roof:shape",
+                                  "roof:height", "roof:orientation",  "building:colour",
+                                  "roof:colour", "building:material", "shop",
+                                  "aeroway",     "service",           "tower:type"};
     if (std::any_of(houses.begin(), houses.end(),
                     [](const House& house) { return house.building.liftedM > 0.0; }))
         keys.emplace_back("min_height");

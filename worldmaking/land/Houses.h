@@ -47,7 +47,8 @@ struct HouseRoom
 
 /// Takes the buildings (key `building`) and towers of a map that can stand: none within kHouseRoomM of a
 /// lane, none on a runway, none over another, none in water. Larger ones come first where two overlap.
-/// A house with a passage (Passages.h) becomes the parts beside the street, and one over it from kPassageM up.
+/// A house with a passage (Passages.h) becomes the parts beside the street, and one over it from kPassageM
+/// up.
 /// Sources: as scenery::buildingOf().
 std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const HouseRoom& room,
                             HouseReport& report);

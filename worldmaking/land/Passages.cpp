@@ -78,11 +78,13 @@ std::optional<PassageParts> Passages::part(const PlanRings& rings, double roomM)
                    for (const glm::dvec2& place : _passages[i].line)
                        line.addPoint(place.x, place.y);
                    if (!line.Intersects(house.get())) return;
-                   std::unique_ptr<OGRGeometry> band(line.Buffer(_passages[i].halfM + roomM, kPassageCorners));
+                   std::unique_ptr<OGRGeometry> band(
+                       line.Buffer(_passages[i].halfM + roomM, kPassageCorners));
                    lanes.reset(lanes ? lanes->Union(band.get()) : band.release());
                });
     if (!lanes) return std::nullopt;
-    const std::unique_ptr<OGRGeometry> beside(house->Difference(lanes.get())), over(house->Intersection(lanes.get()));
+    const std::unique_ptr<OGRGeometry> beside(house->Difference(lanes.get())),
+        over(house->Intersection(lanes.get()));
     if (!beside || !over) return std::nullopt;
     return PassageParts{areasOf(*beside), areasOf(*over)};
 }

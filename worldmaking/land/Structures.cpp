@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <utility>
 
 #include <glm/glm.hpp>
@@ -51,6 +52,8 @@ public:
     StructureTaker(const MapPlane& plane, const StructureRoom& room, StructureReport& report)
         : _plane(plane), _room(room), _report(report)
     {
+        for (const Track& track : room.tracks)
+            _tracks[track.shape].push_back(&track);
     }
 
     void take(const LandShape& shape, std::size_t number)
@@ -118,11 +121,12 @@ private:
     /// Takes the stretches of a railway that has heights; false: it has none.
     bool takeTracks(const LandShape& shape, std::size_t number)
     {
-        bool hasAny = false;
-        for (const Track& track : _room.tracks)
+        const auto found = _tracks.find(number);
+        if (found == _tracks.end()) return false;
+        ++_report.railways;
+        for (const Track* stretch : found->second)
         {
-            if (track.shape != number) continue;
-            hasAny = true;
+            const Track& track = *stretch;
             if (track.place == StreetPlace::tunnel) continue;
             Tags tags = shape.tags;
             for (const char* key : {"layer", "tunnel", "bridge", "location"})
@@ -131,8 +135,7 @@ private:
             tags["heights"] = heightsText(track.heightsM);
             _lines.emplace_back(track.points, std::move(tags));
         }
-        _report.railways += hasAny ? 1 : 0;
-        return hasAny;
+        return true;
     }
 
     void takeWindsock(const LandShape& shape)
@@ -229,6 +232,7 @@ private:
     const MapPlane& _plane;
     const StructureRoom& _room;
     StructureReport& _report;
+    std::map<std::size_t, std::vector<const Track*>> _tracks; ///< by their shapes
     std::vector<Thing> _lines, _points;
     std::vector<glm::dvec2> _windsocks;
 };

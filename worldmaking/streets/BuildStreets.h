@@ -28,7 +28,7 @@ struct StreetReport
     std::size_t sharpBends = 0;    ///< streets with a bend that is narrower than half their paving
     double lengthKm = 0.0;         ///< of streets, without crossings
     double steepestPercent = 0.0;
-    double steepKm = 0.0; ///< steeper than their class allows: the map leaves no room
+    double steepKm = 0.0;                       ///< steeper than their class allows: the map leaves no room
     std::size_t tracks = 0, levelCrossings = 0; ///< chains of railways; where streets meet them
     std::size_t coveredCrossings = 0; ///< bridges and tunnels that the map lacks over and under other things
     std::size_t bareTunnels = 0;      ///< that stand above the ground
@@ -45,8 +45,8 @@ struct Streets
 /// Makes an OpenDRIVE network of the streets of a map on a ground: smooth centre lines, lanes by tags,
 /// crossings with a connecting road for each turn, bridges and tunnels where the map has them, heights within
 /// the grades of each class.
-/// `land`: what else the map has; its railways get heights of their own, and streets pass over and under them,
-/// paths, water and runways.
+/// `land`: what else the map has; its railways get heights of their own, and streets pass over and under
+/// them, paths, water and runways.
 /// Frame: transverse Mercator about the middle of the map (in the header as geoReference); heights as
 /// `ground` counts them. Ways of which a node lies beyond the ground are left out, and counted.
 /// Errors: nothing of the map lies on the ground; PROJ.

@@ -18,8 +18,10 @@ using osgRoads::core::Road;
 using osgRoads::core::RoadStructure;
 using RoadStructureKind = osgRoads::core::StructureKind;
 
-constexpr double kTrackHalfM = 2.5, kAbutmentBesideM = 1.0; ///< of a formation; between an abutment and what it spans
-constexpr double kAbutmentWallM = 0.9, kFaceSlope = 0.5;    ///< that a wall holds; of the ground before an abutment
+constexpr double kTrackHalfM = 2.5,
+                 kAbutmentBesideM = 1.0; ///< of a formation; between an abutment and what it spans
+constexpr double kAbutmentWallM = 0.9,
+                 kFaceSlope = 0.5; ///< that a wall holds; of the ground before an abutment
 constexpr double kSharpestSine = 0.3;
 constexpr double kLeastCoverM = 2.0;
 constexpr double kLeastFallM = 1.5; ///< of what passes over something on a bridge
@@ -53,9 +55,12 @@ double reachM(double ownHalfM, double lowerHalfM, double sine, double fallM)
 /// Whether a road has a structure of a kind from one place to another.
 bool isCovered(const Road& road, RoadStructureKind kind, double fromM, double toM)
 {
-    return std::any_of(road.structures.begin(), road.structures.end(), [&](const RoadStructure& structure)
-                       { return structure.kind == kind && structure.s <= fromM + 1e-6 &&
-                                structure.s + structure.length >= toM - 1e-6; });
+    return std::any_of(road.structures.begin(), road.structures.end(),
+                       [&](const RoadStructure& structure)
+                       {
+                           return structure.kind == kind && structure.s <= fromM + 1e-6 &&
+                                  structure.s + structure.length >= toM - 1e-6;
+                       });
 }
 
 /// Makes structures reach from one place to another, or adds one. Returns whether it is new. One of another
@@ -63,7 +68,8 @@ bool isCovered(const Road& road, RoadStructureKind kind, double fromM, double to
 bool cover(Road& road, RoadStructureKind kind, double fromM, double toM, std::size_t number)
 {
     fromM = std::clamp(fromM, 0.0, road.length), toM = std::clamp(toM, 0.0, road.length);
-    if (toM - fromM < std::min(kLeastCoverM, 0.9 * road.length) || isCovered(road, kind, fromM, toM)) return false;
+    if (toM - fromM < std::min(kLeastCoverM, 0.9 * road.length) || isCovered(road, kind, fromM, toM))
+        return false;
     const auto meets = [&](const RoadStructure& structure)
     { return structure.s < toM && structure.s + structure.length > fromM; };
     for (const RoadStructure& structure : road.structures)
@@ -117,9 +123,11 @@ std::size_t coverCrossings(osgRoads::core::RoadNetwork& network, const StreetGra
         const auto kind = place.isStreetAbove ? RoadStructureKind::bridge : RoadStructureKind::tunnel;
         const double sM = place.alongM - cuts[place.chain].startM;
         const bool isThere = isCovered(network.roads[place.chain], kind, sM, sM);
-        const bool isLost = std::find(heights.lostCrossed.begin(), heights.lostCrossed.end(), i) != heights.lostCrossed.end();
+        const bool isLost =
+            std::find(heights.lostCrossed.begin(), heights.lostCrossed.end(), i) != heights.lostCrossed.end();
         if (isThere || isLost) continue; // as long as the map has it
-        const double faceM = place.isStreetAbove ? std::max(0.0, place.apartM - kAbutmentWallM) / kFaceSlope : 0.0;
+        const double faceM =
+            place.isStreetAbove ? std::max(0.0, place.apartM - kAbutmentWallM) / kFaceSlope : 0.0;
         add(place.chain, kind, place.alongM, place.halfM + kAbutmentBesideM + faceM);
     }
     return made;

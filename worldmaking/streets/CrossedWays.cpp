@@ -46,10 +46,12 @@ struct CrossedLine
 
 std::optional<CrossedLine> crossedLineOf(const Tags& tags)
 {
-    if (isOneWord(valueOf(tags, "highway"), {"path", "footway", "cycleway", "track", "bridleway", "pedestrian"}))
+    if (isOneWord(valueOf(tags, "highway"),
+                  {"path", "footway", "cycleway", "track", "bridleway", "pedestrian"}))
         return CrossedLine{CrossedKind::path, widthOf(tags, 2.5)};
     const std::string_view water = valueOf(tags, "waterway"), air = valueOf(tags, "aeroway");
-    if (isOneWord(water, {"river", "canal"})) return CrossedLine{CrossedKind::water, widthOf(tags, 10.0), true};
+    if (isOneWord(water, {"river", "canal"}))
+        return CrossedLine{CrossedKind::water, widthOf(tags, 10.0), true};
     if (isOneWord(water, {"stream", "ditch", "drain", "brook"}))
         return CrossedLine{CrossedKind::water, widthOf(tags, 2.0)};
     if (air == "runway") return CrossedLine{CrossedKind::airway, widthOf(tags, 45.0) + 40.0};
@@ -103,8 +105,8 @@ public:
             }
     }
 
-    /// Calls `use(piece, share of it, share of the line)` for each piece that a line crosses, but at points in
-    /// common.
+    /// Calls `use(piece, share of it, share of the line)` for each piece that a line crosses, but at points
+    /// in common.
     template<class Use>
     void crossing(const glm::dvec2& from, const glm::dvec2& to, const Use& use) const
     {
@@ -150,11 +152,13 @@ std::vector<CrossedPlace> crossedPlaces(const StreetGraph& graph, const std::vec
                                 const int side = sideOf(graph.traitsAt(chain, piece.piece), *line, level);
                                 if (side == 0) return;
                                 const auto& pointsM = lines[piece.chain].pointsM();
-                                const double sine = std::max(0.3, sineBetween(piece.to - piece.from, path[i + 1] - path[i]));
-                                found.push_back({line->kind, piece.chain,
-                                                 std::lerp(pointsM[piece.piece], pointsM[piece.piece + 1], shares.x),
-                                                 0.5 * line->widthM / sine, glm::mix(path[i], path[i + 1], shares.y),
-                                                 side > 0, apartOf(line->kind), shape.id});
+                                const double sine =
+                                    std::max(0.3, sineBetween(piece.to - piece.from, path[i + 1] - path[i]));
+                                found.push_back(
+                                    {line->kind, piece.chain,
+                                     std::lerp(pointsM[piece.piece], pointsM[piece.piece + 1], shares.x),
+                                     0.5 * line->widthM / sine, glm::mix(path[i], path[i + 1], shares.y),
+                                     side > 0, apartOf(line->kind), shape.id});
                             });
     }
     return found;

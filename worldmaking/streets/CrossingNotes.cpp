@@ -33,8 +33,9 @@ public:
             const double foundM = heightAt(pass.upper, pass.upperM) - heightAt(pass.lower, pass.lowerM);
             const double clearM = foundM - (pass.riseM - pass.clearM) + kRoundingM;
             add(kind, nameAt(pass.upper, pass.upperM) + " passes over " + nameAt(pass.lower, pass.lowerM) +
-                          placeAt(pass.upper, pass.upperM) + " with " + metresText(clearM) + " clear instead of " +
-                          metresText(pass.clearM) + ": the map leaves no room for its ramps; " +
+                          placeAt(pass.upper, pass.upperM) + " with " + metresText(clearM) +
+                          " clear instead of " + metresText(pass.clearM) +
+                          ": the map leaves no room for its ramps; " +
                           "join them farther from the crossing, or lower the one below");
         }
         close(kind);
@@ -49,8 +50,9 @@ public:
             const char* what = place.kind == CrossedKind::path    ? "a path"
                                : place.kind == CrossedKind::water ? "water"
                                                                   : "a runway or taxiway";
-            add(kind, nameAt(place.chain, place.alongM) + " passes " + (place.isStreetAbove ? "over " : "under ") +
-                          what + " (way " + std::to_string(place.way) + ")" + placeAt(place.chain, place.alongM) +
+            add(kind, nameAt(place.chain, place.alongM) + " passes " +
+                          (place.isStreetAbove ? "over " : "under ") + what + " (way " +
+                          std::to_string(place.way) + ")" + placeAt(place.chain, place.alongM) +
                           " less than " + metresText(place.apartM) +
                           " apart: the map leaves no room for its ramps; join it farther from the crossing");
         }
@@ -72,12 +74,14 @@ public:
         Kind kind("crossings are left open by the map");
         for (const Overpass& pass : _facts.crossings.untold)
         {
-            const bool isRail = traitsAt(pass.upper, pass.upperM).isTrack != traitsAt(pass.lower, pass.lowerM).isTrack;
-            add(kind, nameAt(pass.upper, pass.upperM) + " and " + nameAt(pass.lower, pass.lowerM) + " cross" +
-                          placeAt(pass.upper, pass.upperM) +
-                          " without a node in common, and the map does not say which one is above: they cross at " +
-                          (isRail ? "one level, as a level crossing" : "one level") +
-                          "; give them a common node, or one of them bridge=yes and a layer");
+            const bool isRail =
+                traitsAt(pass.upper, pass.upperM).isTrack != traitsAt(pass.lower, pass.lowerM).isTrack;
+            add(kind,
+                nameAt(pass.upper, pass.upperM) + " and " + nameAt(pass.lower, pass.lowerM) + " cross" +
+                    placeAt(pass.upper, pass.upperM) +
+                    " without a node in common, and the map does not say which one is above: they cross at " +
+                    (isRail ? "one level, as a level crossing" : "one level") +
+                    "; give them a common node, or one of them bridge=yes and a layer");
         }
         close(kind);
     }
@@ -100,7 +104,8 @@ private:
 
     void close(const Kind& kind)
     {
-        if (kind.count > kMostNotes) notes.push_back(std::to_string(kind.count) + " " + kind.more + " in all");
+        if (kind.count > kMostNotes)
+            notes.push_back(std::to_string(kind.count) + " " + kind.more + " in all");
     }
 
     std::size_t pieceAt(std::size_t chain, double alongM) const
@@ -121,8 +126,8 @@ private:
         const StreetTraits& traits = traitsAt(chain, alongM);
         const std::int64_t way = _facts.graph.chains[chain].pieces[pieceAt(chain, alongM)].way;
         const std::int64_t id = traits.isTrack ? _facts.trackId(static_cast<std::size_t>(way)) : way;
-        return (traits.isTrack ? "railway" : "street") + (traits.name.empty() ? "" : " '" + traits.name + "'") +
-               " (way " + std::to_string(id) + ")";
+        return (traits.isTrack ? "railway" : "street") +
+               (traits.name.empty() ? "" : " '" + traits.name + "'") + " (way " + std::to_string(id) + ")";
     }
 
     std::string placeAt(std::size_t chain, double alongM) const

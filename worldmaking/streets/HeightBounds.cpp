@@ -46,7 +46,8 @@ private:
 class BoundMaker
 {
 public:
-    BoundMaker(const HeightNodes& nodes, const std::vector<double>& wishesM) : _nodes(nodes), _wishesM(wishesM)
+    BoundMaker(const HeightNodes& nodes, const std::vector<double>& wishesM)
+        : _nodes(nodes), _wishesM(wishesM)
     {
         std::vector<char> hasStart(nodes.rows.size(), 0), hasEnd = hasStart;
         for (const CrossingArea& area : nodes.areas)
@@ -126,7 +127,8 @@ std::vector<DugTunnel> dugTunnels(const HeightNodes& nodes, std::size_t rows,
 std::vector<scenery::HeightBound> heightBoundsOf(const HeightNodes& nodes, const std::vector<ChainCut>& cuts,
                                                  std::span<const DugTunnel> tunnels,
                                                  const Crossings& crossings,
-                                                 const std::vector<double>& wishesM, const GroundHeight& ground)
+                                                 const std::vector<double>& wishesM,
+                                                 const GroundHeight& ground)
 {
     BoundMaker maker(nodes, wishesM);
     for (const DugTunnel& tunnel : tunnels)
@@ -139,7 +141,8 @@ std::vector<scenery::HeightBound> heightBoundsOf(const HeightNodes& nodes, const
         if (!groundM) continue;
         const HeightRow& row = nodes.rows[place.chain];
         const double alongM = place.alongM - cuts[place.chain].startM;
-        const std::size_t first = row.around(alongM - place.halfM)[0], last = row.around(alongM + place.halfM)[1];
+        const std::size_t first = row.around(alongM - place.halfM)[0],
+                          last = row.around(alongM + place.halfM)[1];
         for (std::size_t k = first; k <= last; ++k)
             place.isStreetAbove ? maker.addLeast(place.chain, k, *groundM + place.apartM)
                                 : maker.addMost(place.chain, k, *groundM - place.apartM);
@@ -152,9 +155,8 @@ std::vector<scenery::HeightBound> heightBoundsOf(const HeightNodes& nodes, const
                    below = lower.around(pass.lowerM - cuts[pass.lower].startM);
         for (const std::size_t a : above)
             for (const std::size_t b : below)
-                pass.isUpperLifted
-                    ? maker.addLeast(pass.upper, a, wishesM[lower.first + b] + pass.riseM)
-                    : maker.addMost(pass.lower, b, wishesM[upper.first + a] - pass.riseM);
+                pass.isUpperLifted ? maker.addLeast(pass.upper, a, wishesM[lower.first + b] + pass.riseM)
+                                   : maker.addMost(pass.lower, b, wishesM[upper.first + a] - pass.riseM);
     }
     return std::move(maker.bounds);
 }

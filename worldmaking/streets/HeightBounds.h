@@ -26,11 +26,12 @@ std::vector<DugTunnel> dugTunnels(const HeightNodes& nodes, std::size_t rows,
 
 /// Returns between which heights nodes lie: tunnels below the ground, streets over and under what they cross
 /// that has a height of its own, bridges over what stays on the ground, and what is sunk under it; where both
-/// or none are lifted or sunk, nothing says who moves. Crossings of streets stay at the heights that the ground asks for: near them
-/// bounds are as wide as the grade of the street allows.
+/// or none are lifted or sunk, nothing says who moves. Crossings of streets stay at the heights that the
+/// ground asks for: near them bounds are as wide as the grade of the street allows.
 std::vector<scenery::HeightBound> heightBoundsOf(const HeightNodes& nodes, const std::vector<ChainCut>& cuts,
                                                  std::span<const DugTunnel> tunnels,
                                                  const Crossings& crossings,
-                                                 const std::vector<double>& wishesM, const GroundHeight& ground);
+                                                 const std::vector<double>& wishesM,
+                                                 const GroundHeight& ground);
 
 } // namespace worldmaking

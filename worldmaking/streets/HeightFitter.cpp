@@ -17,7 +17,7 @@ namespace
 
 using scenery::HeightStep;
 
-constexpr double kLeastRiseM = 1.5; ///< of an overpass: with less it is given up
+constexpr double kLeastRiseM = 1.5;                       ///< of an overpass: with less it is given up
 constexpr double kLeastLevelM = 0.25, kMostLevelM = 0.55; ///< of a street above the formation of a track
 
 /// The gradient of the plane that fits the beginnings of the arms best.

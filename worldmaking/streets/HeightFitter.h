@@ -17,8 +17,8 @@ namespace worldmaking
 struct OverpassNodes
 {
     std::array<std::size_t, 2> lower, upper;
-    double riseM = 0.0;       ///< wanted; after the fit, what was found
-    std::size_t number = 0;   ///< of the overpass
+    double riseM = 0.0;     ///< wanted; after the fit, what was found
+    std::size_t number = 0; ///< of the overpass
 
     template<class Holds>
     bool all(const Holds& holds) const
@@ -54,8 +54,8 @@ struct FitLimits
 /// Finds the heights nearest to the wished ones that keep the grade of each street's class, hold the mouths
 /// of roads in the planes of their areas, and leave headroom at overpasses (scenery::fitHeights()). A plane
 /// leans as its arms do, by kMostLean at most. Where these contradict each other, planes lean less (short
-/// roads between planes that lean apart; level planes always fit), then overpasses get what rise there is room
-/// for (a bridge too close to the crossing that it passes), or are given up.
+/// roads between planes that lean apart; level planes always fit), then overpasses get what rise there is
+/// room for (a bridge too close to the crossing that it passes), or are given up.
 /// `wishesM`: of each node.
 FittedHeights fitToLimits(const StreetGraph& graph, const HeightNodes& nodes,
                           const std::vector<double>& wishesM, const FitLimits& limits);

@@ -124,7 +124,8 @@ Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>&
             continue;
         }
         const StreetTraits& below = above > 0 ? traits(b) : traits(a);
-        if (below.isTrack && below.place == StreetPlace::tunnel) continue; // it has no place among what is seen
+        if (below.isTrack && below.place == StreetPlace::tunnel)
+            continue; // it has no place among what is seen
         if (above < 0) std::swap(pass.upper, pass.lower), std::swap(pass.upperM, pass.lowerM);
         const StreetTraits& over = above > 0 ? traits(a) : traits(b);
         const Separation wanted = separationOf(over, below);

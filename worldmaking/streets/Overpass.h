@@ -16,10 +16,10 @@ struct Overpass
 {
     std::size_t upper = 0, lower = 0; ///< chains
     double upperM = 0.0, lowerM = 0.0;
-    double sine = 1.0;   ///< of the angle between both
-    double riseM = 0.0;  ///< wanted between their heights
-    double clearM = 0.0; ///< of that, what stays free
-    bool isLowerTube = false; ///< the ground over a tunnel carries the upper one
+    double sine = 1.0;                               ///< of the angle between both
+    double riseM = 0.0;                              ///< wanted between their heights
+    double clearM = 0.0;                             ///< of that, what stays free
+    bool isLowerTube = false;                        ///< the ground over a tunnel carries the upper one
     bool isUpperLifted = false, isLowerSunk = false; ///< who leaves the ground first, as the map has it
 };
 
@@ -40,12 +40,12 @@ struct Separation
 /// rails, the deck, and what rounding takes. A tunnel has a roof besides.
 Separation separationOf(const StreetTraits& upper, const StreetTraits& lower);
 
-inline constexpr double kClearM = 4.5;       ///< above lanes and rails
-inline constexpr double kRailTopM = 0.55;    ///< above the formation
-inline constexpr double kRoadDeckM = 1.2;    ///< of a bridge of a road, below its surface
-inline constexpr double kTrackDeckM = 0.9;   ///< of a bridge of a railway, below the formation
-inline constexpr double kTunnelRoofM = 7.2;  ///< from a road to the ground above its tube
-inline constexpr double kRoundingM = 1.1;    ///< that smoothing takes of a rise
+inline constexpr double kClearM = 4.5;      ///< above lanes and rails
+inline constexpr double kRailTopM = 0.55;   ///< above the formation
+inline constexpr double kRoadDeckM = 1.2;   ///< of a bridge of a road, below its surface
+inline constexpr double kTrackDeckM = 0.9;  ///< of a bridge of a railway, below the formation
+inline constexpr double kTunnelRoofM = 7.2; ///< from a road to the ground above its tube
+inline constexpr double kRoundingM = 1.1;   ///< that smoothing takes of a rise
 
 /// The shares of two lines, a to b and c to d, at which they cross; nothing: they do not.
 std::optional<glm::dvec2> crossingShares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d);

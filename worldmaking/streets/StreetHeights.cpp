@@ -96,8 +96,7 @@ public:
 private:
     double heightAt(std::size_t chain, double sM) const
     {
-        return _heights.profiles[chain].elevation.value(
-            std::clamp(sM, 0.0, _nodes.rows[chain].lengthM()));
+        return _heights.profiles[chain].elevation.value(std::clamp(sM, 0.0, _nodes.rows[chain].lengthM()));
     }
 
     const HeightNodes& _nodes;
@@ -137,10 +136,10 @@ StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>&
         result.planes.push_back(fitted.planes[static_cast<std::size_t>(area)]);
     result.lost = fitted.lost;
     for (const LevelPlace& level : crossings.levels)
-        result.levels.push_back({level.track, level.trackM,
-                                 result.profiles[level.street].elevation.value(std::clamp(
-                                     level.streetM - cuts[level.street].startM, 0.0,
-                                     nodes.rows[level.street].lengthM()))});
+        result.levels.push_back(
+            {level.track, level.trackM,
+             result.profiles[level.street].elevation.value(std::clamp(
+                 level.streetM - cuts[level.street].startM, 0.0, nodes.rows[level.street].lengthM()))});
     Shortfalls shortfalls(nodes, cuts, ground, result);
     shortfalls.lookAt(tunnels);
     shortfalls.lookAt(std::span<const CrossedPlace>(crossings.crossed));

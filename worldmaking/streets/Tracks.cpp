@@ -19,10 +19,10 @@ namespace worldmaking
 namespace
 {
 
-constexpr double kTrackStepM = 6.0;    ///< between heights along a railway
-constexpr double kFlushM = 0.02;       ///< of rails above the street at a level crossing
-constexpr double kEaseM = 36.0;        ///< over which rails come down to a level crossing
-constexpr double kOffGroundM = 0.2;    ///< more needs earth to be moved
+constexpr double kTrackStepM = 6.0; ///< between heights along a railway
+constexpr double kFlushM = 0.02;    ///< of rails above the street at a level crossing
+constexpr double kEaseM = 36.0;     ///< over which rails come down to a level crossing
+constexpr double kOffGroundM = 0.2; ///< more needs earth to be moved
 
 struct TrackClass
 {
@@ -84,7 +84,8 @@ private:
         const auto shape = static_cast<std::size_t>(chain.pieces[piece].way);
         StreetPlace place = _graph.traitsAt(chain, piece).place;
         for (const TrackSpan& span : _spans)
-            if (span.chain == index && alongM >= span.fromM && alongM <= span.toM) place = StreetPlace::bridge;
+            if (span.chain == index && alongM >= span.fromM && alongM <= span.toM)
+                place = StreetPlace::bridge;
         if (_isOpen && tracks.back().shape == shape && tracks.back().place == place) return;
         tracks.push_back({shape, {}, {}, place});
         _isOpen = true;
@@ -123,8 +124,9 @@ private:
 
 std::optional<StreetTraits> trackTraitsOf(const Tags& tags)
 {
-    const auto found = std::find_if(kTrackClasses.begin(), kTrackClasses.end(), [&](const TrackClass& entry)
-                                    { return entry.kind == valueOf(tags, "railway"); });
+    const auto found =
+        std::find_if(kTrackClasses.begin(), kTrackClasses.end(),
+                     [&](const TrackClass& entry) { return entry.kind == valueOf(tags, "railway"); });
     if (found == kTrackClasses.end()) return std::nullopt;
     StreetTraits traits;
     traits.name = valueOf(tags, "name");
@@ -146,7 +148,8 @@ StreetMap tracksOf(const LandMap& land, const std::vector<MapNode>& nodes, const
     map.nodes = nodes;
     std::map<NodeKey, std::uint32_t> numbers;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        numbers.try_emplace(keyOf(nodes[i].latitudeDeg, nodes[i].longitudeDeg), static_cast<std::uint32_t>(i));
+        numbers.try_emplace(keyOf(nodes[i].latitudeDeg, nodes[i].longitudeDeg),
+                            static_cast<std::uint32_t>(i));
     for (std::size_t i = 0; i < land.shapes.size(); ++i)
     {
         const LandShape& shape = land.shapes[i];
@@ -177,7 +180,8 @@ void openShortTunnels(StreetGraph& tracks, const std::vector<glm::dvec2>& places
             if (tracks.traitsAt(chain, first).place != StreetPlace::tunnel) continue;
             std::size_t last = first;
             double lengthM = 0.0;
-            for (; last < chain.pieces.size() && tracks.traitsAt(chain, last).place == StreetPlace::tunnel; ++last)
+            for (; last < chain.pieces.size() && tracks.traitsAt(chain, last).place == StreetPlace::tunnel;
+                 ++last)
                 lengthM += glm::distance(places[chain.points[last]], places[chain.points[last + 1]]);
             const glm::dvec2 from = places[chain.points[first]], to = places[chain.points[last]];
             const auto a = ground(from), b = ground(to), middle = ground(0.5 * (from + to));

@@ -24,8 +24,8 @@ struct TrackSpan
 
 /// Returns the traits of a railway that has heights of its own: its grade, its level, a contact wire. Nothing
 /// for trams, which run in streets, and for what is not drawn.
-/// Source of grades: German EBO, § 7 (40 ‰ on branch lines, 12.5 ‰ on main lines, which lie on ground that is
-/// coarser than they are: 25 ‰ here); BOStrab.
+/// Source of grades: German EBO, section 7, 40 per mille on branch lines, 12.5 on main lines, which lie on
+/// ground that is coarser than they are, so 25 here; BOStrab.
 std::optional<StreetTraits> trackTraitsOf(const Tags& tags);
 
 /// Returns the railways of a map as ways whose ids are the numbers of their shapes. `nodes`: of the streets;

@@ -25,8 +25,8 @@ struct WayLevel
     friend bool operator==(const WayLevel&, const WayLevel&) = default;
 };
 
-/// Returns the level of a way by its tags `bridge`, `tunnel` and `layer`. Without a layer a bridge has 1 and a
-/// tunnel -1. A passage through a house, a gallery and a covered way lie on the ground.
+/// Returns the level of a way by its tags `bridge`, `tunnel` and `layer`. Without a layer a bridge has 1 and
+/// a tunnel -1. A passage through a house, a gallery and a covered way lie on the ground.
 /// Source: the OpenStreetMap wiki, *Key:layer*, *Key:tunnel*, *Key:covered*.
 WayLevel levelOf(const Tags& tags);
 

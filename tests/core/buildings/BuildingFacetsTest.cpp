@@ -101,6 +101,20 @@ TEST(BuildingFacets, EncloseWhatLiesBelowTheRoof)
         }
 }
 
+TEST(BuildingFacets, APartOverAPassageIsClosedFromBelowAndLeavesThePassage)
+{
+    StandingBuilding standing = house(kHook, RoofForm::flat);
+    standing.building.liftedM = 4.5;
+    const BuildingFacets facets = facetsOf(standing);
+    const double lowM = kFloorM + 4.5 - kFootM;
+    EXPECT_NEAR(volumeOf(facets), areaOf(standing.building.rings) * 1.5, 0.5);
+    for (const auto& [painting, shell] : facets.shell)
+        for (const glm::vec3& place : shell.positions)
+            EXPECT_GE(place.z, lowM - 1e-3);
+    for (const glm::vec3& place : facets.openings.positions) // neither doors nor windows below it
+        EXPECT_GE(place.z, lowM - 1e-3);
+}
+
 TEST(BuildingFacets, AMissingWallOrARaisedRoofIsSeen)
 {
     const StandingBuilding standing = house(kHook, RoofForm::gabled);

@@ -127,6 +127,29 @@ TEST(Structures, EveryKindIsBuiltAndThoseBeyondTheGroundAreCounted)
     }
 }
 
+TEST(Structures, ARailwayWithHeightsLiesOnThem)
+{
+    const auto made = structureOf({{0, 0}, {50, 0}, {100, 0}},
+                                  {{"railway", "rail"}, {"heights", "210.00;212.50;215.00"}}, 1);
+    ASSERT_TRUE(made);
+    ASSERT_EQ(made->heightsM.size(), 3u);
+    std::size_t beyond = 0;
+    const auto level = [](double, double) { return std::optional(200.0); };
+    double low = 1e9, high = -1e9;
+    for (const auto& [number, square] : scenery::structureFacets({&*made, 1}, level, beyond))
+        for (const glm::vec3& position : square.low.positions)
+        {
+            low = std::min(low, square.origin.z + position.z);
+            high = std::max(high, square.origin.z + position.z);
+        }
+    EXPECT_NEAR(low, 209.7, 0.01); // a bed of 0.3 m below the formation
+    EXPECT_NEAR(high, 215.55, 0.05);
+    for (const char* wrong : {"210;212", "210;212;215;216", "210;up;215", "210,212,215"})
+        EXPECT_TRUE(structureOf({{0, 0}, {50, 0}, {100, 0}}, {{"railway", "rail"}, {"heights", wrong}}, 1)
+                        ->heightsM.empty())
+            << wrong;
+}
+
 TEST(Structures, ARailwayBridgeIsStraight)
 {
     Structure bridge;

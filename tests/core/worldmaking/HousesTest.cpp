@@ -10,6 +10,7 @@
 #include "MadeStreets.h"
 #include "TestFolder.h"
 #include "scenery/buildings/Outline.h"
+#include "worldmaking/land/Passages.h"
 #include "worldmaking/map/ReadLand.h"
 
 namespace
@@ -131,6 +132,55 @@ TEST(Houses, TheMeasuresSeeAHouseThatIsMovedOntoTheStreetOrItsNeighbour)
     const auto& neighbour = built.houses[1].building.rings;
     EXPECT_EQ(commonAreaOf(built.houses[0].building.rings, neighbour), 0.0);
     EXPECT_GT(commonAreaOf(onOther, neighbour), 50.0);
+}
+
+/// A house of 30 m across a street of which the part through it has a tag, and the areas on and over it.
+struct Passage
+{
+    std::size_t beside = 0, over = 0, passages = 0;
+    double overM2 = 0.0;
+
+    Passage(const char* key, const char* value, const char* heightM)
+    {
+        Village village;
+        village.map = MadeMap();
+        const int a = village.map.node(-200, 0), b = village.map.node(-6, 0), c = village.map.node(6, 0),
+                  d = village.map.node(200, 0);
+        village.map.way({a, b});
+        village.map.way({b, c}, {{"highway", "residential"}, {key, value}});
+        village.map.way({c, d});
+        const int first = village.map.node(-6, -15), e = village.map.node(6, -15),
+                  f = village.map.node(6, 15), g = village.map.node(-6, 15);
+        village.map.way({first, e, f, g, first}, {{"building", "yes"}, {"height", heightM}});
+        const Built built(village);
+        passages = built.report.passages;
+        for (const House& house : built.houses)
+            if (house.building.liftedM > 0.0)
+            {
+                ++over;
+                overM2 += scenery::areaOf(house.building.rings);
+                EXPECT_EQ(house.building.liftedM, kPassageM);
+            }
+            else
+                ++beside;
+    }
+};
+
+TEST(Houses, AStreetRunsThroughAHouseWithAPassage)
+{
+    const Passage passage("tunnel", "building_passage", "12");
+    EXPECT_EQ(passage.passages, 1u);
+    EXPECT_EQ(passage.beside, 2u);
+    EXPECT_EQ(passage.over, 1u);
+    EXPECT_NEAR(passage.overM2, 12.0 * 6.5, 6.0); // two lanes of 2.75 m, half a metre beside each
+    const Passage covered("covered", "yes", "9");
+    EXPECT_EQ(covered.over, 1u);
+    const Passage low("tunnel", "building_passage", "4"); // too low for a car: a gap
+    EXPECT_EQ(low.beside, 2u);
+    EXPECT_EQ(low.over, 0u);
+    const Passage none("lit", "yes", "12"); // cut back as before
+    EXPECT_EQ(none.passages, 0u);
+    EXPECT_EQ(none.over, 0u);
 }
 
 } // namespace
