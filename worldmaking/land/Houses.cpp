@@ -92,20 +92,26 @@ public:
         part.tags.insert_or_assign("roof:shape", "flat");
         part.tags.erase("roof:height");
         for (const PlanRings& beside : parts->beside)
-            takePart(part, beside, houses);
+            takePart(part, beside, *whole, houses);
         if (heightM < kLeastPassedM) return;
         part.tags.insert_or_assign("min_height", std::to_string(kPassageM));
         for (const PlanRings& over : parts->over)
-            takePart(part, over, houses);
+            takePart(part, over, *whole, houses);
     }
 
 private:
-    void takePart(LandShape part, const PlanRings& rings, std::vector<House>& houses)
+    /// Takes a part of a house, in the colours of the whole.
+    void takePart(LandShape part, const PlanRings& rings, const scenery::Building& whole,
+                  std::vector<House>& houses)
     {
         auto degrees = _plane.toDegrees(rings);
         if (!degrees) return;
         part.paths = std::move(*degrees);
-        if (auto house = takeWhole(part)) houses.push_back(*std::move(house));
+        auto house = takeWhole(part);
+        if (!house) return;
+        house->building.wallTint = whole.wallTint;
+        house->building.roofTint = whole.roofTint;
+        houses.push_back(*std::move(house));
     }
 
     std::optional<House> takeWhole(const LandShape& shape)
