@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include <foundation/Angle.h>
+#include <glm/common.hpp>
 
 namespace simulation
 {
@@ -38,8 +39,8 @@ double boundedSlope(double beforeS, double before, double behindS, double behind
 double cubicAt(double from, double to, double fromSlope, double toSlope, double widthS, double share)
 {
     const double rest = 1.0 - share;
-    return from * rest * rest * (1.0 + 2.0 * share) + to * share * share * (3.0 - 2.0 * share) +
-           widthS * (fromSlope * share * rest * rest - toSlope * share * share * rest);
+    return from + (to - from) * glm::smoothstep(0.0, 1.0, share) +
+           widthS * share * rest * (fromSlope * rest - toSlope * share);
 }
 
 /// The times within a gap: from both ends, each step twice the one before.
