@@ -61,22 +61,23 @@ std::vector<InputKind> rideKinds(const MutantFolders& folders)
     const std::string road = (corpus / "curves.xodr").string();
     const auto named = [&](const char* name, const char* text) -> seeds::Files
     { return {written(folders.scratch / name, text)}; };
-    return {scenarios(folders, {folders.source / "data/scenarios/drive.xosc", corpus / "story.xosc",
-                                corpus / "speed.xosc"}),
-            ofTrainer(folders, "tracks",
-                      joined(named("track.csv", kTrack),
-                             realFiles(tracks, {".gpx", ".igc", ".kml", ".acmi", ".gz"})),
-                      {"play", "--size", "64x36", "--frames", "1"}),
-            ofTrainer(folders, "foreign-tracks",
-                      {corpus / "track.csv", corpus / "track.gpx", corpus / "track.kml", corpus / "track.kmz"},
-                      {"play", "--headless"}),
-            ofTrainer(folders, "aircraft", {folders.source / "data/aircraft/c172p.xml"},
-                      {"qualify", "flight", "--aircraft"}),
-            ofTrainer(folders, "vehicle", vehicleFiles(folders),
-                      {"qualify", "drive", "--stand", "10", "--vehicle"}),
-            ofTrainer(folders, "inputs", named("ride.inputs", kInputs),
-                      {"drive", road, "--headless", "--duration", "5", "--inputs"}),
-            ofTrainer(folders, "keys", {corpus / "ride.keys"},
-                      {"drive", road, "--window", "--duration", "1", "--keys"}),
-            ofTrainer(folders, "devices", {corpus / "wheel.devices"}, {"devices", "--devices"})};
+    return {
+        scenarios(folders, {folders.source / "data/scenarios/drive.xosc", corpus / "story.xosc",
+                            corpus / "speed.xosc"}),
+        ofTrainer(
+            folders, "tracks",
+            joined(named("track.csv", kTrack), realFiles(tracks, {".gpx", ".igc", ".kml", ".acmi", ".gz"})),
+            {"play", "--size", "64x36", "--frames", "1"}),
+        ofTrainer(folders, "foreign-tracks",
+                  {corpus / "track.csv", corpus / "track.gpx", corpus / "track.kml", corpus / "track.kmz"},
+                  {"play", "--headless"}),
+        ofTrainer(folders, "aircraft", {folders.source / "data/aircraft/c172p.xml"},
+                  {"qualify", "flight", "--aircraft"}),
+        ofTrainer(folders, "vehicle", vehicleFiles(folders),
+                  {"qualify", "drive", "--stand", "10", "--vehicle"}),
+        ofTrainer(folders, "inputs", named("ride.inputs", kInputs),
+                  {"drive", road, "--headless", "--duration", "5", "--inputs"}),
+        ofTrainer(folders, "keys", {corpus / "ride.keys"},
+                  {"drive", road, "--window", "--duration", "1", "--keys"}),
+        ofTrainer(folders, "devices", {corpus / "wheel.devices"}, {"devices", "--devices"})};
 }

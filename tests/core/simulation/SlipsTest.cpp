@@ -224,14 +224,15 @@ TEST(Slips, AnOffsetWithoutSideAccelerationIsToldAndNotMade)
     const auto textWith = [](const char* most, const char* shape)
     {
         ScenarioText text = soundText();
-        text.stories = story(event(
-            "go",
-            std::string("<PrivateAction><LateralAction><LaneOffsetAction continuous=\"false\"><LaneOffsetActionDynamics "
-                        "dynamicsShape=\"") +
-                shape + "\" maxLateralAcc=\"" + most +
-                "\"/><LaneOffsetTarget><AbsoluteTargetLaneOffset value=\"0.5\"/></LaneOffsetTarget></LaneOffsetAction>"
-                "</LateralAction></PrivateAction>",
-            timeCondition(1.0)));
+        text.stories = story(event("go",
+                                   std::string("<PrivateAction><LateralAction><LaneOffsetAction "
+                                               "continuous=\"false\"><LaneOffsetActionDynamics "
+                                               "dynamicsShape=\"") +
+                                       shape + "\" maxLateralAcc=\"" + most +
+                                       "\"/><LaneOffsetTarget><AbsoluteTargetLaneOffset "
+                                       "value=\"0.5\"/></LaneOffsetTarget></LaneOffsetAction>"
+                                       "</LateralAction></PrivateAction>",
+                                   timeCondition(1.0)));
         return text;
     };
     for (const char* const shape : {"cubic", "linear", "sinusoidal", "step"})

@@ -72,8 +72,9 @@ TEST(ReadOsm, TellsWhatIsWrong)
 /// The parsers of libosmium and GDAL know four encodings; the file may have any.
 TEST(ReadOsm, NamesAreWholeInAnyEncoding)
 {
-    const std::string body = "<osm version='0.6'><node id='1' lat='42.5' lon='1.5'/><node id='2' lat='42.51' lon='1.5'/>"
-                             "<way id='9'><nd ref='1'/><nd ref='2'/><tag k='highway' v='primary'/><tag k='name' v='";
+    const std::string body =
+        "<osm version='0.6'><node id='1' lat='42.5' lon='1.5'/><node id='2' lat='42.51' lon='1.5'/>"
+        "<way id='9'><nd ref='1'/><nd ref='2'/><tag k='highway' v='primary'/><tag k='name' v='";
     const auto head = [](const char* encoding)
     { return "<?xml version='1.0' encoding='" + std::string(encoding) + "'?>\n"; };
     const std::string end = "'/></way></osm>";
@@ -84,12 +85,16 @@ TEST(ReadOsm, NamesAreWholeInAnyEncoding)
     std::string wide = "\xFF\xFE";
     for (const char c : head("UTF-16") + body + "Rue" + end)
         wide += {c, '\0'};
-    for (const Case& one :
-         {Case{head("windows-1252") + body + "Stra\xDF" "e \x80" + end, "Stra\xC3\x9F" "e \xE2\x82\xAC"},
-          Case{head("ISO-8859-15") + body + "\xA4" + end, "\xE2\x82\xAC"},
-          Case{head("ISO-8859-1") + body + "\xC9t\xE9" + end, "\xC3\x89t\xC3\xA9"},
-          Case{head("KOI8-R") + body + "\xCD" + end, "\xD0\xBC"}, Case{wide, "Rue"},
-          Case{head("utf-8") + body + "\xC3\x89" + end, "\xC3\x89"}})
+    for (const Case& one : {Case{head("windows-1252") + body +
+                                     "Stra\xDF"
+                                     "e \x80" +
+                                     end,
+                                 "Stra\xC3\x9F"
+                                 "e \xE2\x82\xAC"},
+                            Case{head("ISO-8859-15") + body + "\xA4" + end, "\xE2\x82\xAC"},
+                            Case{head("ISO-8859-1") + body + "\xC9t\xE9" + end, "\xC3\x89t\xC3\xA9"},
+                            Case{head("KOI8-R") + body + "\xCD" + end, "\xD0\xBC"}, Case{wide, "Rue"},
+                            Case{head("utf-8") + body + "\xC3\x89" + end, "\xC3\x89"}})
     {
         const auto file = std::filesystem::path(testing::TempDir()) / "encoded.osm";
         std::ofstream(file, std::ios::binary) << one.bytes;
