@@ -59,7 +59,9 @@ struct StreetGraph
 /// Parts the streets of a map into chains. `places`: of the map's nodes in a plan, metres. Chains between two
 /// crossings that are shorter than `shortestM` vanish, and their crossings become one. A piece that two ways
 /// share counts once. `traits`: of what ways a graph is made.
-StreetGraph graphOf(const StreetMap& map, const std::vector<glm::dvec2>& places, double shortestM,
-                    const std::function<std::optional<StreetTraits>(const Tags&)>& traits = traitsOf);
+StreetGraph graphOf(
+    const StreetMap& map, const std::vector<glm::dvec2>& places, double shortestM,
+    const std::function<std::optional<StreetTraits>(const Tags&)>& traits = [](const Tags& tags)
+    { return traitsOf(tags); });
 
 } // namespace worldmaking

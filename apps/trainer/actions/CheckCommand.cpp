@@ -9,7 +9,7 @@
 #include <foundation/WholeFile.h>
 #include <nlohmann/json.hpp>
 
-#include "ScenarioPlace.h"
+#include "osgSession/src/core/ScenarioPlace.h"
 #include "simulation/parser/Coverage.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/parser/Variations.h"

@@ -20,7 +20,7 @@ namespace
 
 using namespace osgRoads::core;
 
-double level(double, double)
+double evenGround(double, double)
 {
     return 500.0;
 }
@@ -30,7 +30,7 @@ RoadNetwork networkOf(const MadeMap& map)
 {
     const testsupport::TestFolder folder("lanes");
     const auto file = folder / "roads.xodr";
-    const auto written = writeNetwork(streetsOf(map, level).network, file);
+    const auto written = writeNetwork(streetsOf(map, evenGround).network, file);
     EXPECT_TRUE(written) << (written ? "" : written.error().message());
     auto read = readNetwork(file);
     EXPECT_TRUE(read) << (read ? "" : read.error().message());
