@@ -103,7 +103,7 @@ private:
     scenery::FallingDrops _drops;
     std::optional<std::size_t> _ridden, _lampBearer;
     std::optional<glm::dvec3> _eye;
-    double _mapsReachM = 0.0; ///< of the shadow maps that show what moves
+    double _mapsReachM = 0.0;         ///< of the shadow maps that show what moves
     std::optional<double> _moonlight; ///< of the world; a scenario has none
     scenery::HeadLampBeam _beam;
     std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads

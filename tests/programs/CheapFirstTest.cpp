@@ -17,8 +17,8 @@ struct WrongCall
     std::vector<std::string> unopened; ///< files that would be read if the work began
 };
 
-/// A workplace with all that the calls name: dem.tif, model.obj, roads.xodr, map.osm, the folder `folder`,
-/// the text notes.txt.
+/// A workplace with all that the calls name: dem.tif, model.obj, roads.xodr, map.osm, the folders `folder`
+/// and `folder.png`, the text notes.txt.
 class CheapFirst : public testing::Test
 {
 protected:
@@ -32,6 +32,7 @@ protected:
         (void)_place.write("notes.txt", "heights to come\n");
         (void)_place.write("points.csv", "0,0,1\n10,0,2\n0,10,3\n");
         std::filesystem::create_directory(_place.path("folder"));
+        std::filesystem::create_directory(_place.path("folder.png"));
     }
 
     ProgramRun run(std::vector<std::string> command) const
@@ -180,8 +181,8 @@ INSTANTIATE_TEST_SUITE_P(
                   {"/proc/none.svg: "},
                   {"roads.xodr"}},
         WrongCall{"RoadToolPng",
-                  {kRoadTool, "draw", "HEREroads.xodr", "--svg", "HEREa.svg", "--png", "HEREfolder"},
-                  {"folder: ", "is a folder"},
+                  {kRoadTool, "draw", "HEREroads.xodr", "--svg", "HEREa.svg", "--png", "HEREfolder.png"},
+                  {"folder.png: ", "is a folder"},
                   {"roads.xodr"}},
         WrongCall{"RoadToolValidate",
                   {kRoadTool, "validate", "HEREroads.xodr", "--json", "HEREfolder"},

@@ -58,7 +58,9 @@ TEST_F(SeatSound, IsSilentWhenMuted)
 TEST_F(SeatSound, SaysWhatIsWrong)
 {
     EXPECT_TRUE(failsWith(fly(place.path("nowhere/a.wav")), 1, "trainer", {"nowhere", "cannot be created"}));
-    EXPECT_TRUE(failsWith(fly("/dev/full"), 1, "trainer", {"/dev/full", "cannot be written"}));
+    std::filesystem::create_symlink("/dev/full", place.path("full.wav"));
+    EXPECT_TRUE(failsWith(fly(place.path("full.wav")), 1, "trainer", {"full.wav", "cannot be written"}));
+    EXPECT_TRUE(failsWith(fly(place.path("a.mp3")), 2, "trainer", {"a.mp3", ".wav"}));
     EXPECT_TRUE(failsWith(fly(place.path("a.wav"), {"--window"}), 2, "trainer", {"--sound", "window"}));
 }
 

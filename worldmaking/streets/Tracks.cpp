@@ -103,7 +103,7 @@ private:
             if (away >= 1.0) continue;
             const double flushM = level.streetM + kFlushM - kRailTopM;
             const double wasM = _heights.profiles[index].elevation.value(level.trackM);
-            heightM += (flushM - wasM) * (1.0 - away * away * (3.0 - 2.0 * away));
+            heightM += (flushM - wasM) * (1.0 - glm::smoothstep(0.0, 1.0, away));
         }
         const auto groundM = _ground(place);
         track.isOffGround = track.isOffGround || (groundM && std::fabs(*groundM - heightM) > kOffGroundM);

@@ -22,7 +22,7 @@ struct Allowed
 Allowed allowed()
 {
     Allowed allowed;
-    const std::string source = reference::sourceText("apps/trainer/view/ViewFile.cpp");
+    const std::string source = reference::sourceText("osgSession/view/ViewFile.cpp");
     for (const auto& literals : reference::literalsOfCalls(source, "allow"))
         for (const std::string& name : literals)
             (std::isupper(static_cast<unsigned char>(name.front())) ? allowed.elements : allowed.attributes)

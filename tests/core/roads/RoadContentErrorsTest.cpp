@@ -195,7 +195,7 @@ TEST(RoadContentErrors, FilesThatHoldNoText)
     EXPECT_EQ(messageOf(" \n\n"),
               "a.xodr: there is nothing in the file; write it again, or name another one");
     EXPECT_EQ(messageOf("\x1F\x8B\b"), "a.xodr: compressed by gzip; unpack the file with gunzip");
-    EXPECT_EQ(messageOf("\xFF\xFE<"), "a.xodr: not valid UTF-16; save the file as UTF-8");
+    EXPECT_EQ(messageOf("\xFF\xFE<"), "a.xodr:1: not valid UTF-16; save the file as UTF-8");
 }
 
 TEST(RoadContentErrors, MarkingsOfObjects)
