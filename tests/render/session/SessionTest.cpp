@@ -85,7 +85,7 @@ TEST(SessionPictures, ShowADriveFromEveryEyeInSilence)
     EXPECT_EQ(out + testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(SessionPictures, AreTheSameBesideAnotherSession)
+TEST(SessionsTogether, HaveThePicturesOfOneAlone)
 {
     const auto drive = [](Session& session, double timeS)
     {
