@@ -59,18 +59,17 @@ public:
     /// The bands near a box as one area; null: there are none.
     std::unique_ptr<OGRGeometry> near(const MapBox& box) const
     {
-        std::unique_ptr<OGRGeometry> area;
+        OGRMultiPolygon bands;
         _grid.near(box,
                    [&](std::size_t i)
                    {
                        OGRLineString line;
                        for (const glm::dvec2& place : _bands[i].line)
                            line.addPoint(place.x, place.y);
-                       std::unique_ptr<OGRGeometry> band(line.Buffer(0.5 * _bands[i].widthM, kArcs));
-                       std::unique_ptr<OGRGeometry> both(area && band ? area->Union(band.get()) : nullptr);
-                       if (both || !area) area = both ? std::move(both) : std::move(band);
+                       const std::unique_ptr<OGRGeometry> band(line.Buffer(0.5 * _bands[i].widthM, kArcs));
+                       if (band) bands.addGeometry(band.get());
                    });
-        return area;
+        return std::unique_ptr<OGRGeometry>(bands.IsEmpty() ? nullptr : bands.UnionCascaded());
     }
 
 private:
