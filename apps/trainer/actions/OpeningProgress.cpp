@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include <unistd.h>
+
 #include "terminal/Progress.h"
 
 namespace trainer
@@ -37,12 +39,14 @@ public:
 
     void hasEnded(std::string_view stage) override
     {
+        if (!_isOnTerminal) return; // lines of a log would stand among those of errors
         for (const StageShare& share : kStages)
             if (share.ended == stage && share.shares > 0)
                 _progress.begin(std::string(share.next), share.shares);
     }
 
 private:
+    bool _isOnTerminal = isatty(STDERR_FILENO) != 0;
     terminal::Progress _progress;
 };
 
