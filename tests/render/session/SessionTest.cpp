@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions that a program of others opens, drives and looks at.
-#include <algorithm>
 #include <set>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -122,36 +120,6 @@ TEST(SessionPictures, TellWhatCannotBeOpened)
     wrong = ride();
     wrong.play.stepsPerSecond = 0;
     EXPECT_NE(errorOf(wrong).find("stepsPerSecond"), std::string::npos) << errorOf(wrong);
-}
-
-/// How much of a picture from 30 m above a car is much darker than most of it.
-double darkShareFromAbove(bool hasShadows)
-{
-    SessionSettings settings = ride();
-    settings.picture.hasShadows = hasShadows;
-    const auto session = opened(settings);
-    if (!session) return 0.0;
-    osgSession::Eye eye{EyeFrom::free};
-    eye.place = session->play().entity("Ego")->position + glm::dvec3(0.0, 0.0, 30.0);
-    eye.pitchDeg = -89.0;
-    EXPECT_TRUE(session->look(eye));
-    (void)session->picture();
-    const osg::ref_ptr<osg::Image> picture = session->picture();
-    std::vector<unsigned> sums;
-    for (unsigned i = 0; i < picture->getTotalSizeInBytes(); i += 3)
-        sums.push_back(picture->data()[i] + picture->data()[i + 1] + picture->data()[i + 2]);
-    std::vector<unsigned> sorted = sums;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
-    const unsigned dark = sorted[sorted.size() / 2] * 6 / 10;
-    const auto count = std::count_if(sums.begin(), sums.end(), [&](unsigned sum) { return sum < dark; });
-    return static_cast<double>(count) / static_cast<double>(sums.size());
-}
-
-TEST(SessionShadows, FallFromVehiclesBeyondTheNearestMap)
-{
-    const double byPatches = darkShareFromAbove(false), byMaps = darkShareFromAbove(true);
-    EXPECT_GT(byPatches, 0.002);
-    EXPECT_GT(byMaps, 0.7 * byPatches);
 }
 
 TEST(SessionPictures, ShowAScenarioOverItsRoads)
