@@ -138,8 +138,7 @@ foundation::Result<Staged> stageRide(const SessionSettings& settings, const trai
     Staged staged;
     staged.terrain = std::move(*terrain);
     staged.wheels = trainer::groundForWheels(staged.terrain);
-    auto scenario =
-        rideInWorld(staged.terrain, *staged.wheels, settings.world, settings.vehicle, settings.startM);
+    auto scenario = rideInWorld(staged.terrain, *staged.wheels, settings.world, **vehicle, settings.startM);
     if (!scenario) return scenario.error();
     staged.scenario = std::move(*scenario);
     return staged;

@@ -8,7 +8,6 @@
 
 #include "core/RideScenario.h"
 #include "scene/DriveWay.h"
-#include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/vehicle/road/RoadVehicle.h"
 
 namespace osgSession
@@ -24,10 +23,8 @@ constexpr double kBehindThresholdM = 20.0, kInAirM = 300.0, kInAirMps = 50.0;
 
 foundation::Result<simulation::Scenario> driveInWorld(const trainer::SceneTerrain& scene,
                                                       const std::filesystem::path& world,
-                                                      const std::filesystem::path& vehicle, double startM)
+                                                      const simulation::RoadVehicleData& data, double startM)
 {
-    const auto data = simulation::readRoadVehicle(vehicle);
-    if (!data) return data.error();
     const auto way = trainer::driveWay(scene, world.string(), startM + kAheadM);
     if (!way) return way.error();
     if (startM < 0.0 || startM > way->lengthM())
@@ -37,7 +34,7 @@ foundation::Result<simulation::Scenario> driveInWorld(const trainer::SceneTerrai
                       way->lengthM(), startM);
         return foundation::Error{world.string(), text, "give a start on the way"};
     }
-    return core::driveScenario(*data, {way->placeAt(startM), way->headingRadAt(startM)}, scene.origin(), {});
+    return core::driveScenario(data, {way->placeAt(startM), way->headingRadAt(startM)}, scene.origin(), {});
 }
 
 foundation::Result<simulation::Scenario> flightInWorld(const trainer::SceneTerrain& scene,
@@ -74,12 +71,10 @@ foundation::Result<simulation::Scenario> flightInWorld(const trainer::SceneTerra
 foundation::Result<simulation::Scenario> rideInWorld(const trainer::SceneTerrain& scene,
                                                      const simulation::Ground& ground,
                                                      const std::filesystem::path& world,
-                                                     const std::filesystem::path& vehicle, double startM)
+                                                     const simulation::DynamicVehicle& vehicle, double startM)
 {
-    const auto opened = simulation::openVehicle(vehicle, scene.origin(), 0);
-    if (!opened) return opened.error();
-    if (dynamic_cast<const simulation::RoadVehicle*>(opened->get()))
-        return driveInWorld(scene, world, vehicle, startM);
+    if (const auto* const car = dynamic_cast<const simulation::RoadVehicle*>(&vehicle))
+        return driveInWorld(scene, world, car->data(), startM);
     return flightInWorld(scene, ground, world);
 }
 
