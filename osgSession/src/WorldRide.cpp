@@ -8,6 +8,7 @@
 
 #include "core/RideScenario.h"
 #include "scene/DriveWay.h"
+#include "scene/RideAir.h"
 #include "simulation/vehicle/road/RoadVehicle.h"
 
 namespace osgSession
@@ -34,7 +35,8 @@ foundation::Result<simulation::Scenario> driveInWorld(const trainer::SceneTerrai
                       way->lengthM(), startM);
         return foundation::Error{world.string(), text, "give a start on the way"};
     }
-    return core::driveScenario(data, {way->placeAt(startM), way->headingRadAt(startM)}, scene.origin(), {});
+    return core::driveScenario(data, {way->placeAt(startM), way->headingRadAt(startM)}, scene.origin(),
+                               trainer::inAirOf(scene, {}));
 }
 
 foundation::Result<simulation::Scenario> flightInWorld(const trainer::SceneTerrain& scene,
@@ -63,7 +65,7 @@ foundation::Result<simulation::Scenario> flightInWorld(const trainer::SceneTerra
         return foundation::Error{world.string(), "there is no ground at the start of the flight",
                                  "give a world with a runway or with ground in its middle"};
     begin.place.z = below.heightM + aboveM;
-    return core::flightScenario(begin, scene.origin(), {});
+    return core::flightScenario(begin, scene.origin(), trainer::inAirOf(scene, {}));
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "osgSession/src/core/RideScenario.h"
 #include "ride/Ride.h"
 #include "scene/DriveWay.h"
+#include "scene/RideAir.h"
 #include "scene/SceneTerrain.h"
 #include "simulation/control/HandOver.h"
 #include "simulation/control/InputTrack.h"
@@ -163,8 +164,7 @@ foundation::Outcome drive(const DriveRequest& asked)
                                      textOfMetres(path->lengthM()) + " long",
                                  "give less"};
     if (const auto told = tellInputs(request.inputs); !told) return told;
-    request.conditions.keepsSun = scene->air.sun.has_value();
-    request.conditions.keepsVisibility = scene->air.visibilityM.has_value();
+    request.conditions = inAirOf(*scene, request.conditions);
     DriveMaker maker(request, *data, *scene, *path);
     const auto motion = playRides(request, std::move(*scene), maker);
     if (!motion) return motion.error();

@@ -12,6 +12,7 @@
 #include "ride/FlightMaker.h"
 #include "ride/Ride.h"
 #include "scene/FlatScene.h"
+#include "scene/RideAir.h"
 #include "scene/SceneGround.h"
 #include "scene/SceneStrip.h"
 #include "scene/SceneTerrain.h"
@@ -116,8 +117,7 @@ foundation::Outcome fly(const FlyRequest& asked)
         std::printf(
             "note: there is no runway in this world; the flight begins in the air (--strip lays one)\n");
     if (terrain->airfield && !request.wind.empty()) terrain->airfield->setWind(request.windMps());
-    request.conditions.keepsSun = terrain->air.sun.has_value();
-    request.conditions.keepsVisibility = terrain->air.visibilityM.has_value();
+    request.conditions = inAirOf(*terrain, request.conditions);
     const HeightTable heights{terrain->terrain, terrain->cornerM};
     FlightMaker maker(request, ground, terrain->origin());
     const auto motion = playRides(request, std::move(*terrain), maker);
