@@ -12,6 +12,7 @@
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include "RasterWriter.h"
+#include "UnsortedTags.h"
 
 namespace
 {
@@ -70,17 +71,6 @@ TEST(DemErrors, SeveralBandsAndPalettesAreNoElevation)
     EXPECT_THAT(refusal(folder / "complex.tif"), HasSubstr("complex numbers"));
 }
 
-/// Swaps the first two entries of a TIFF's directory, of which GDAL warns.
-void unsortTags(const std::filesystem::path& file)
-{
-    std::string bytes = readBytes(file);
-    std::uint32_t directory = 0;
-    std::memcpy(&directory, bytes.data() + 4, sizeof directory);
-    std::swap_ranges(bytes.begin() + directory + 2, bytes.begin() + directory + 14,
-                     bytes.begin() + directory + 14);
-    writeBytes(file, bytes);
-}
-
 TEST(DemErrors, WhatGdalWarnsOfIsToldOnceWithTheFile)
 {
     const TemporaryFolder folder;
@@ -88,7 +78,7 @@ TEST(DemErrors, WhatGdalWarnsOfIsToldOnceWithTheFile)
     const auto plain = importDem(folder / "plain.tif");
     ASSERT_TRUE(plain);
     EXPECT_TRUE(plain->notes.empty()) << plain->notes[0];
-    unsortTags(folder / "plain.tif");
+    testsupport::unsortTags(folder / "plain.tif");
     const auto unsorted = importDem(folder / "plain.tif");
     ASSERT_TRUE(unsorted) << unsorted.error().message();
     ASSERT_EQ(unsorted->notes.size(), 1u);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,7 @@ struct DemRows::State
     int firstRow = 0;  ///< of the rows in memory, in file order
     int rowsAtOnce = 1;
     std::vector<double> window;
+    std::optional<SampleDecoder> decoder;
 
     foundation::Outcome fetch(int fileRow);
 };
@@ -62,6 +64,7 @@ foundation::Result<DemRows> DemRows::open(const std::filesystem::path& file, con
     state->field.rows = raster.rows;
     if (const auto placed = placeField(state->field, raster, options, state->gdal); !placed)
         return placed.error();
+    state->decoder.emplace(state->source, state->gdal);
     int blockColumns = 0, blockRows = 0;
     GDALGetBlockSize(state->source.band(), &blockColumns, &blockRows);
     state->rowsAtOnce = std::clamp(kMostSamplesAtOnce / raster.columns, 1, std::max(1, blockRows));
@@ -115,10 +118,9 @@ foundation::Outcome DemRows::read(int row, std::span<float> heightsM)
     };
     if (!isHere())
         if (const auto fetched = state.fetch(fileRow); !fetched) return fetched;
-    SampleDecoder decoder(state.source.band());
     const double* from = state.window.data() + static_cast<std::size_t>(fileRow - state.firstRow) * columns;
     for (std::size_t c = 0; c < columns; ++c)
-        heightsM[c] = decoder.heightM(from[c]);
+        heightsM[c] = state.decoder->heightM(from[c]);
     if (state.turn.flipsColumns) std::reverse(heightsM.begin(), heightsM.end());
     return foundation::success();
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "GeodeticLocator.h"
 
-#include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <foundation/Angle.h>
+
+#include "VerticalSystem.h"
 
 namespace osgTerrainROAM::core
 {
@@ -18,23 +19,10 @@ namespace
 using foundation::Error;
 using foundation::Result;
 
-bool namesEllipsoid(const char* text)
+std::string codeOr(const VerticalSystem& system)
 {
-    if (!text) return false;
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return lower.find("ellipsoid") != std::string::npos;
-}
-
-bool heightsAreEllipsoidal(OGRSpatialReferenceH crs)
-{
-    if (!OSRIsCompound(crs)) return OSRGetAxesCount(crs) == 3;
-    constexpr const char* kEllipsoidalDatum = "2002"; // datum type of OGC 01-009
-    const char* type = OSRGetAttrValue(crs, "VERT_DATUM", 1);
-    return (type && std::string(type) == kEllipsoidalDatum) ||
-           namesEllipsoid(OSRGetAttrValue(crs, "VERT_CS", 0)) ||
-           namesEllipsoid(OSRGetAttrValue(crs, "VERT_DATUM", 0));
+    return system.code.empty() ? "'" + system.name + "'"
+                               : "EPSG:4326+" + system.code.substr(system.code.find(':') + 1);
 }
 
 } // namespace
@@ -46,8 +34,10 @@ Result<GeodeticLocator> GeodeticLocator::create(const std::string& name, const R
     const ReferenceSystem source(OSRNewSpatialReference(raster.crsWkt.c_str()));
     const ReferenceSystem wgs84(OSRNewSpatialReference(nullptr));
     OSRImportFromEPSG(wgs84.get(), 4326);
-    const bool ellipsoidal = datum == VerticalDatum::ellipsoid ||
-                             (datum == VerticalDatum::automatic && heightsAreEllipsoidal(source.get()));
+    const ReferenceSystem whole(OSRClone(source.get()));
+    const VerticalSystem vertical =
+        datum == VerticalDatum::automatic ? verticalSystemOf(whole.get()) : VerticalSystem();
+    const bool ellipsoidal = datum == VerticalDatum::ellipsoid || vertical.isEllipsoidal;
     makeHorizontal(source.get());
     OSRSetAxisMappingStrategy(wgs84.get(), OAMS_TRADITIONAL_GIS_ORDER);
 
@@ -60,8 +50,25 @@ Result<GeodeticLocator> GeodeticLocator::create(const std::string& name, const R
     if (!locator._toWgs84)
         return Error{name, "has coordinates that cannot be related to WGS84 (" + gdal.firstError() + ")",
                      "reproject it with gdalwarp -t_srs EPSG:4326"};
+    locator._vertical = vertical.isEllipsoidal ? "" : vertical.name;
     if (ellipsoidal) return locator;
 
+    if (!vertical.isEgm96)
+    {
+        const glm::dvec2 first(locator._frame.firstX, locator._frame.firstY),
+            size((raster.columns - 1) * locator._frame.stepX, (raster.rows - 1) * locator._frame.stepY);
+        const std::array<glm::dvec2, 5> places{first, first + size, first + 0.5 * size,
+                                               first + glm::dvec2(size.x, 0.0),
+                                               first + glm::dvec2(0.0, size.y)};
+        locator._shift = VerticalShift::find(whole.get(), places);
+        if (!locator._shift)
+            gdal.note("its heights above " + vertical.name +
+                      " are taken as above EGM96, from which they may differ by a metre or two: PROJ finds "
+                      "no grid" +
+                      " for them; put the grid that 'projinfo -s " + codeOr(vertical) +
+                      " -t EPSG:4979 --spatial-test intersects' names into a folder of PROJ_DATA, or say "
+                      "vertical_datum");
+    }
     locator._geoid = foundation::Geoid::open();
     if (!locator._geoid)
         return Error{name, "has heights above EGM96, whose grid egm96_15.gtx PROJ does not find",
@@ -80,6 +87,9 @@ void GeodeticLocator::locate(std::span<const glm::dvec2> grid, std::span<Geodeti
         y[i] = std::copysign(180.0, y[i]) - y[i];
         x[i] += 180.0;
     }
+    std::vector<glm::dvec2> places;
+    for (std::size_t i = 0; i < grid.size() && _shift; ++i)
+        places.emplace_back(x[i], y[i]);
     std::vector<int> good(grid.size(), FALSE);
     OCTTransformEx(_toWgs84.get(), static_cast<int>(grid.size()), x.data(), y.data(), nullptr, good.data());
     for (std::size_t i = 0; i < grid.size(); ++i)
@@ -88,10 +98,10 @@ void GeodeticLocator::locate(std::span<const glm::dvec2> grid, std::span<Geodeti
         constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
         nodes[i] = valid ? GeodeticNet::Node{y[i], x[i], 0.0} : GeodeticNet::Node{kNaN, kNaN, kNaN};
     }
-    if (_geoid) addGeoid(nodes);
+    if (_geoid) addGeoid(places, nodes);
 }
 
-void GeodeticLocator::addGeoid(std::span<GeodeticNet::Node> nodes) const
+void GeodeticLocator::addGeoid(std::span<const glm::dvec2> places, std::span<GeodeticNet::Node> nodes) const
 {
     std::vector<double> latitudes, longitudes, heights(nodes.size());
     for (const GeodeticNet::Node& node : nodes)
@@ -100,6 +110,7 @@ void GeodeticLocator::addGeoid(std::span<GeodeticNet::Node> nodes) const
         longitudes.push_back(node.longitudeDeg);
     }
     _geoid->heights(latitudes, longitudes, heights);
+    if (_shift) _shift->heights(places, heights);
     for (std::size_t i = 0; i < nodes.size(); ++i)
         nodes[i].geoidM = heights[i];
 }

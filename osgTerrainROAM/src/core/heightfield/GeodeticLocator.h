@@ -13,14 +13,16 @@
 
 #include "RasterFile.h"
 #include "ReferenceSystem.h"
+#include "VerticalShift.h"
 
 namespace osgTerrainROAM::core
 {
 
 /// Locates the samples of a raster on the Earth, from its grid, its coordinate reference system (any that
 /// PROJ knows) and its vertical datum. Heights above mean sea level get the EGM96 undulation, whose grid
-/// comes with PROJ; other geoids are treated as EGM96, from which they differ by a metre or two. Heights are
-/// ellipsoidal when the reference system has three dimensions or names the ellipsoid as its vertical datum.
+/// comes with PROJ; those above another datum (NAVD88, EGM2008) that of PROJ's own grid, or where it has none
+/// that of EGM96, from which they differ by a metre or two: a note says so. Heights are ellipsoidal when the
+/// reference system has three dimensions or names the ellipsoid as its vertical datum.
 /// Threads: one at a time.
 class GeodeticLocator
 {
@@ -36,14 +38,20 @@ public:
     /// Tells whether heights are above the ellipsoid.
     bool isEllipsoidal() const { return !_geoid; }
 
+    /// The vertical reference system that the raster names, as "NAVD88 height"; empty: none, or the
+    /// ellipsoid.
+    const std::string& verticalName() const { return _vertical; }
+
 private:
     GeodeticLocator() = default;
-    void addGeoid(std::span<GeodeticNet::Node> nodes) const;
+    void addGeoid(std::span<const glm::dvec2> places, std::span<GeodeticNet::Node> nodes) const;
 
     GridFrame _frame{};
     bool _inDegrees = false; ///< then latitudes beyond a pole continue on the opposite meridian
     CoordinateTransform _toWgs84;
     std::optional<foundation::Geoid> _geoid; ///< absent: heights are ellipsoidal
+    std::optional<VerticalShift> _shift;     ///< of a datum other than EGM96, where PROJ has its grid
+    std::string _vertical;
 };
 
 } // namespace osgTerrainROAM::core

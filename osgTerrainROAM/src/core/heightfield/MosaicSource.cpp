@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <GeographicLib/Geodesic.hpp>
@@ -25,13 +26,14 @@ struct Nature
 {
     double spacingM;
     bool isEllipsoidal;
+    std::string vertical; ///< the system of its heights; empty: it names none
 };
 
 Result<Nature> natureOf(const std::string& name, const Raster& raster, const DemImportOptions& options,
                         GdalSession& gdal)
 {
     if (const std::optional<double> metres = metresOfPlane(raster.crsWkt))
-        return Nature{raster.frame->stepY * *metres, false};
+        return Nature{raster.frame->stepY * *metres, false, {}};
     const auto locator = GeodeticLocator::create(name, raster, options.verticalDatum, gdal);
     if (!locator) return locator.error();
     const glm::dvec2 middle = 0.5 * glm::dvec2(raster.columns - 1, raster.rows - 1);
@@ -44,7 +46,7 @@ Result<Nature> natureOf(const std::string& name, const Raster& raster, const Dem
     if (!(metres > 0.0))
         return Error{name, "has samples that lie nowhere, or on top of each other",
                      "check its georeference with gdalinfo"};
-    return Nature{metres, locator->isEllipsoidal()};
+    return Nature{metres, locator->isEllipsoidal(), locator->verticalName()};
 }
 
 } // namespace
@@ -67,6 +69,7 @@ Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::p
 {
     std::vector<MosaicSource> sources;
     bool isEllipsoidal = false;
+    std::string vertical;
     for (const std::filesystem::path& file : files)
     {
         Result<Raster> raster = readRaster(file, gdal);
@@ -82,6 +85,10 @@ Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::p
                                                        : "the ellipsoid, and those before from sea level"),
                          "convert it with gdalwarp -t_srs and a vertical reference, or say vertical_datum"};
         isEllipsoidal = nature->isEllipsoidal;
+        if (vertical.empty()) vertical = nature->vertical;
+        if (!nature->vertical.empty() && nature->vertical != vertical)
+            gdal.note("its heights count from " + nature->vertical + ", those of files before it from " +
+                      vertical + ": they are joined as if from one");
         sources.push_back({file.string(), std::move(*raster), nature->spacingM});
     }
     return sources;

@@ -25,7 +25,7 @@ using foundation::Result;
 /// is touched than the file's content needs.
 Outcome readSamples(const RasterSource& source, GdalSession& gdal, Raster& raster)
 {
-    SampleDecoder decoder(source.band());
+    SampleDecoder decoder(source, gdal);
     raster.heightsM.reserve(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
     std::vector<double> row(static_cast<std::size_t>(raster.columns));
     for (int r = 0; r < raster.rows; ++r)

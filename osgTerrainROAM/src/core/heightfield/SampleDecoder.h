@@ -3,17 +3,20 @@
 
 #include <cstddef>
 
-#include <gdal.h>
+#include "GdalSession.h"
+#include "RasterSource.h"
 
 namespace osgTerrainROAM::core
 {
 
-/// Converts a band's numbers to metres by its unit, scale and offset. Values that are no heights become NaN:
-/// the nodata value, NaN, and heights outside the Earth's range.
+/// Converts a band's numbers to metres above its zero, by the unit that it or its vertical axis names, and by
+/// its scale and offset; depths to negative heights. Values that are no heights become NaN: the nodata value,
+/// NaN, and heights outside the Earth's range.
 class SampleDecoder
 {
 public:
-    explicit SampleDecoder(GDALRasterBandH band);
+    /// `gdal`: gets a note of a unit that is not known, and of depths.
+    SampleDecoder(const RasterSource& source, GdalSession& gdal);
 
     float heightM(double value);
 
