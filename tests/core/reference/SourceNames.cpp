@@ -66,4 +66,19 @@ Names literalsOfCalls(std::string_view source, const std::vector<std::string>& f
     return names;
 }
 
+Names literalsOfStatement(std::string_view source, std::string_view name, std::string_view beginning)
+{
+    Names names;
+    for (std::size_t at = source.find(name); at < source.size() && source[at] != ';'; ++at)
+    {
+        if (source[at] != '"') continue;
+        const std::size_t end = source.find('"', at + 1);
+        if (end == std::string_view::npos) break;
+        const std::string_view literal = source.substr(at + 1, end - at - 1);
+        if (!literal.empty() && literal.starts_with(beginning)) names.emplace(literal);
+        at = end;
+    }
+    return names;
+}
+
 } // namespace reference

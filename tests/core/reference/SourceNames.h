@@ -16,4 +16,8 @@ std::vector<std::vector<std::string>> literalsOfCalls(std::string_view source, c
 /// All of them for several functions; `firstOnly`: the first of each call alone.
 Names literalsOfCalls(std::string_view source, const std::vector<std::string>& functions, bool firstOnly);
 
+/// The string literals that begin with a text, from the first time that `name` stands in a source text to the
+/// end of that statement.
+Names literalsOfStatement(std::string_view source, std::string_view name, std::string_view beginning = {});
+
 } // namespace reference
