@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <memory>
 
 #include <osgTerrainROAM/core/cover/CoverImport.h>
@@ -51,6 +52,8 @@ foundation::Result<CoverOnEarth> coverOf(const Request& request, const EarthGrou
     if (!table) return table.error();
     auto read = osgTerrainROAM::core::importCover(request.landCover, *table, *ground.tile);
     if (!read) return read.error();
+    for (const std::string& note : read->notes)
+        std::cout << "note: " << note << '\n';
     const auto map = std::make_shared<const osgTerrainROAM::core::CoverMap>(*std::move(read));
     return CoverOnEarth(
         [map, tile = ground.tile](const glm::dvec2& degrees)

@@ -48,7 +48,9 @@ foundation::Outcome WorldMaker::make()
     if (!streets) return streets.error();
     _hasRoads = !streets->network.roads.empty();
     report.json["streets"] = rowOf(streets->report);
-    if (!streets->report.notes.empty()) report.json["notes"] = streets->report.notes;
+    std::vector<std::string> notes = _source.land.notes;
+    notes.insert(notes.end(), streets->report.notes.begin(), streets->report.notes.end());
+    if (!notes.empty()) report.json["notes"] = notes;
     _tracks = std::move(streets->tracks);
     std::error_code ignored;
     if (!_state.has("world.roam")) std::filesystem::remove(file("world.roam"), ignored); // of other inputs

@@ -9,8 +9,7 @@
 
 #include <osg/Notify>
 
-#include <osgTerrainROAM/core/features/ShapeImport.h>
-
+#include "ReadShapes.h"
 #include "scenery/buildings/StandBuildings.h"
 #include "scenery/models/Catalogue.h"
 #include "scenery/models/Dice.h"
@@ -180,8 +179,7 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
                                  const osgTerrainROAM::core::RoamTile& tile, const HeightOfGround& ground,
                                  const scenery::NearestStreet& street, std::vector<StandingPart>& standing)
 {
-    const auto shapes =
-        osgTerrainROAM::core::importShapes(source, tile.tile, foundation::KeptFrom::ofUser(tile.mark()));
+    const auto shapes = readShapes(source, tile);
     if (!shapes) return shapes.error();
     const scenery::StandingBuildings made = scenery::standBuildings(*shapes, ground, street);
     if (made.buildings.empty()) return nothingIn(source, "give footprints of buildings of this place");
@@ -206,8 +204,7 @@ foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& descript
     Objects objects(ground);
     for (const std::filesystem::path& source : description.objects)
     {
-        const auto shapes =
-            osgTerrainROAM::core::importShapes(source, tile.tile, foundation::KeptFrom::ofUser(tile.mark()));
+        const auto shapes = readShapes(source, tile);
         if (!shapes) return shapes.error();
         objects.add(*shapes);
         if (objects.isEmpty()) return nothingIn(source, "give points with a kind of the generated models");

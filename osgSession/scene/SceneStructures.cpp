@@ -8,8 +8,7 @@
 
 #include <osg/Notify>
 
-#include <osgTerrainROAM/core/features/ShapeImport.h>
-
+#include "ReadShapes.h"
 #include "scenery/ground/TileGround.h"
 #include "scenery/nodes/StructuresNode.h"
 #include "scenery/structures/HeightsInScene.h"
@@ -91,8 +90,7 @@ foundation::Result<Standing> standingOf(const osgTerrainROAM::core::RoamFile& de
     Standing standing;
     for (const auto& source : description.structures)
     {
-        const auto shapes =
-            osgTerrainROAM::core::importShapes(source, tile.tile, foundation::KeptFrom::ofUser(tile.mark()));
+        const auto shapes = readShapes(source, tile);
         if (!shapes) return shapes.error();
         add(*shapes, tile.tile, standing);
         if (standing.structures.empty() && standing.windsocks.empty())

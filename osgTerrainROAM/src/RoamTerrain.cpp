@@ -46,6 +46,8 @@ foundation::Result<core::FeatureReport> paintFeatures(TerrainMaterial& material,
         if (!set) return set.error();
         if (set->report.taken < set->report.read)
             osg::notify(osg::NOTICE) << source.string() << ": " << set->report.message() << std::endl;
+        for (const std::string& note : set->report.notes)
+            osg::notify(osg::NOTICE) << note << std::endl;
         all.append(std::move(*set));
     }
     if (!all.features.empty())
@@ -92,6 +94,8 @@ foundation::Outcome coverGround(TerrainMaterial& material, const core::RoamFile&
     for (const auto& [code, count] : map->unknownCodes)
         osg::notify(osg::NOTICE) << description.landCover.string() << ": class " << code
                                  << " has no kind in its table, " << count << " texels" << std::endl;
+    for (const std::string& note : map->notes)
+        osg::notify(osg::NOTICE) << note << std::endl;
     material.setCover(*map);
     return foundation::success();
 }

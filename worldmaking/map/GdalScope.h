@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -18,7 +20,7 @@ struct DatasetCloser
 };
 using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
 
-/// A scope in which GDAL, on this thread, tells its errors to this object instead of stderr.
+/// A scope in which GDAL, on this thread, tells its errors and warnings to this object instead of stderr.
 class GdalScope
 {
 public:
@@ -31,11 +33,9 @@ public:
             {
                 auto* const scope = static_cast<GdalScope*>(CPLGetErrorHandlerUserData());
                 scope->lacksMemory = scope->lacksMemory || number == CPLE_OutOfMemory;
-                if (severity < CE_Failure || !scope->firstError.empty()) return;
-                scope->firstError = message;
-                std::replace(scope->firstError.begin(), scope->firstError.end(), '\n', ' ');
-                while (scope->firstError.ends_with('.'))
-                    scope->firstError.pop_back();
+                if (severity >= CE_Failure && scope->firstError.empty())
+                    scope->firstError = onOneLine(message);
+                if (severity == CE_Warning) scope->addWarning(onOneLine(message));
             },
             this);
     }
@@ -45,6 +45,23 @@ public:
 
     std::string firstError; ///< on one line; empty: none so far
     bool lacksMemory = false;
+    std::vector<std::string> warnings; ///< each once, on one line, at most eight
+
+private:
+    static std::string onOneLine(std::string text)
+    {
+        std::replace(text.begin(), text.end(), '\n', ' ');
+        while (text.ends_with('.') || text.ends_with(' '))
+            text.pop_back();
+        return text;
+    }
+
+    void addWarning(std::string text)
+    {
+        constexpr std::size_t kMost = 8;
+        if (warnings.size() < kMost && std::find(warnings.begin(), warnings.end(), text) == warnings.end())
+            warnings.push_back(std::move(text));
+    }
 };
 
 } // namespace worldmaking

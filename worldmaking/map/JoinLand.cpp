@@ -41,6 +41,7 @@ std::size_t joinLand(LandMap& map, LandMap other)
     const std::size_t left = other.shapes.size();
     std::move(other.shapes.begin(), other.shapes.end(), std::back_inserter(map.shapes));
     map.unusable += other.unusable;
+    std::move(other.notes.begin(), other.notes.end(), std::back_inserter(map.notes));
     return before - left;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -32,8 +33,9 @@ struct LandShape
 /// What a map has besides streets, and its streets as lines, as plain values.
 struct LandMap
 {
-    std::vector<LandShape> shapes; ///< in the order of the source
-    std::size_t unusable = 0;      ///< without geometry, or with too few points
+    std::vector<LandShape> shapes;    ///< in the order of the source
+    std::size_t unusable = 0;         ///< without geometry, or with too few points
+    std::vector<std::string> notes{}; ///< what GDAL warned of, one line each
 };
 
 /// A rectangle of the map. Units: degrees.

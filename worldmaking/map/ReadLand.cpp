@@ -245,6 +245,8 @@ foundation::Result<LandMap> readLand(const std::filesystem::path& file, const Ma
     if (errors.lacksMemory) return tooLarge(name);
     if (!errors.firstError.empty())
         return Error{name, "is damaged: " + errors.firstError, "fetch it again, or repair it with ogr2ogr"};
+    for (const std::string& warning : errors.warnings)
+        reader.map.notes.push_back(name + ": GDAL warns: " + warning);
     return std::move(reader.map);
 }
 

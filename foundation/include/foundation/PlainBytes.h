@@ -38,6 +38,14 @@ inline void appendText(std::string& bytes, std::string_view text)
     bytes += text;
 }
 
+/// Appends the number of texts, and each.
+inline void appendTexts(std::string& bytes, const std::vector<std::string>& texts)
+{
+    appendValue(bytes, static_cast<std::uint64_t>(texts.size()));
+    for (const std::string& text : texts)
+        appendText(bytes, text);
+}
+
 /// Takes values off the front of bytes that appendValue(), appendValues() and appendText() made.
 class ValueTaker
 {
@@ -83,6 +91,16 @@ public:
         if (!take(size) || size > _bytes.size()) return false;
         text = _bytes.substr(0, static_cast<std::size_t>(size));
         _bytes.remove_prefix(static_cast<std::size_t>(size));
+        return true;
+    }
+
+    bool take(std::vector<std::string>& texts)
+    {
+        std::uint64_t count = 0;
+        if (!takeCount(count, sizeof(count))) return false;
+        texts.resize(static_cast<std::size_t>(count));
+        for (std::string& text : texts)
+            if (!take(text)) return false;
         return true;
     }
 

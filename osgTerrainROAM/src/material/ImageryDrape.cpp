@@ -9,6 +9,8 @@
 
 #include <gdal_priv.h>
 
+#include <osg/Notify>
+
 #include "../core/cover/PixelNet.h"
 #include "../core/heightfield/DatasetPtr.h"
 #include "../core/heightfield/GdalSession.h"
@@ -183,6 +185,7 @@ Result<ImageryLayer> laid(const std::filesystem::path& file, const core::PlacedT
     core::GdalSession session;
     GDALAllRegister();
     const std::string name = file.string();
+    session.setFile(name);
     const core::DatasetPtr dataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
     if (!dataset || dataset->GetRasterCount() < 1)
         return Error{name, session.firstError().empty() ? "is no raster GDAL can open" : session.firstError(),
@@ -206,6 +209,8 @@ Result<ImageryLayer> laid(const std::filesystem::path& file, const core::PlacedT
         GL_RGBA, GL_UNSIGNED_BYTE);
     if (!sampleInto(*layer.image, pixels, *net, box)) return nothing;
     const double placeM = tile.field().spacingEastM / tile.grid().cellSide();
+    for (const std::string& note : session.notes())
+        osg::notify(osg::NOTICE) << note << std::endl;
     layer.texelM = (box.last.x - box.first.x) * placeM / (layer.image->s() - 1);
     return layer;
 }

@@ -11,6 +11,7 @@
 
 #include "KeptFiles.h"
 #include "SyntheticField.h"
+#include "UnsortedTags.h"
 
 namespace
 {
@@ -120,6 +121,24 @@ TEST_F(CoverImport, NoDataAndStrangeCodesAreUnknownAndCounted)
     EXPECT_EQ(map->at(2, map->height / 2), GroundKind::unknown);
     ASSERT_EQ(map->unknownCodes.size(), 1u);
     EXPECT_EQ(map->unknownCodes.begin()->first, 77);
+}
+
+TEST_F(CoverImport, WhatGdalWarnsOfIsToldAtTheSecondImportToo)
+{
+    const auto plain = importCover(_file, worldCoverTable(), alps());
+    ASSERT_TRUE(plain);
+    EXPECT_THAT(plain->notes, testing::IsEmpty());
+    testsupport::unsortTags(_file);
+    const testsupport::TestFolder folder("cover-notes");
+    const foundation::KeptFrom kept{std::make_shared<const foundation::KeptResults>(folder / "made"),
+                                    foundation::ContentMark().add(std::string_view("alps"))};
+    for (int i = 0; i < 2; ++i)
+    {
+        const auto map = importCover(_file, worldCoverTable(), alps(), kept);
+        ASSERT_TRUE(map) << map.error().message();
+        ASSERT_EQ(map->notes.size(), 1u);
+        EXPECT_THAT(map->notes[0], HasSubstr(_file.string() + ": GDAL warns: "));
+    }
 }
 
 TEST_F(CoverImport, ErrorsNameTheFileAndWhatToDo)

@@ -118,6 +118,28 @@ TEST(KeptMaps, GiveWhatReadingThemGave)
     }
 }
 
+TEST(KeptMaps, TellWhatGdalWarnedOfAgain)
+{
+    const Kept kept;
+    EXPECT_TRUE(importShapes(kept.map, tile())->notes.empty());
+    {
+        std::fstream file(kept.map, std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(68); // the application's id of SQLite's header
+        file.write("abcd", 4);
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+        const auto features = importFeatures(kept.map, tile(), kept.from);
+        const auto shapes = importShapes(kept.map, tile(), kept.from);
+        ASSERT_TRUE(features && shapes);
+        for (const auto& notes : {features->report.notes, shapes->notes})
+        {
+            ASSERT_EQ(notes.size(), 1U);
+            EXPECT_TRUE(notes[0].starts_with(kept.map.string() + ": GDAL warns: ")) << notes[0];
+        }
+    }
+}
+
 TEST(KeptMaps, AreReadOnceAndAnewWhereTheyChanged)
 {
     const Kept kept;

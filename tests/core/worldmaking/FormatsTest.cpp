@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maps in the formats that ogr2ogr makes of OpenStreetMap data.
+#include <fstream>
 #include <map>
 #include <string>
 
@@ -98,6 +99,23 @@ TEST(Formats, AGeoPackageOfOgr2ogrHasWhatTheMapHad)
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(countsOf(*read), countsOf(*known));
     EXPECT_EQ(worldmaking::streetsOf(*read).ways.size(), 2u);
+}
+
+TEST(Formats, WhatGdalWarnsOfIsTold)
+{
+    const testsupport::TestFolder folder("formats");
+    const auto osm = folder.write("town.osm", smallTown().text());
+    ASSERT_TRUE(convert(osm, folder / "town.gpkg", "GPKG"));
+    EXPECT_TRUE(worldmaking::readLand(folder / "town.gpkg")->notes.empty());
+    {
+        std::fstream file(folder / "town.gpkg", std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(68); // the application's id of SQLite's header
+        file.write("abcd", 4);
+    }
+    const auto read = worldmaking::readLand(folder / "town.gpkg");
+    ASSERT_TRUE(read) << read.error().message();
+    ASSERT_EQ(read->notes.size(), 1u);
+    EXPECT_NE(read->notes[0].find("town.gpkg: GDAL warns: "), std::string::npos) << read->notes[0];
 }
 
 TEST(Formats, AnArchiveOfManyShapefilesHasWhatTheFolderHad)

@@ -120,6 +120,7 @@ Result<CoverMap> readCover(const std::filesystem::path& file, const CoverTable& 
 {
     GdalSession gdal;
     const std::string name = file.string();
+    gdal.setFile(name);
     const DatasetPtr dataset(
         GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
     if (!dataset || dataset->GetRasterCount() < 1)
@@ -139,6 +140,7 @@ Result<CoverMap> readCover(const std::filesystem::path& file, const CoverTable& 
                          : "has no class that its table knows: it has " +
                                std::to_string(map.unknownCodes.begin()->first) + " and others",
                      "give a land cover of the same place, and its table with land_cover_classes"};
+    map.notes = gdal.notes();
     return map;
 }
 
@@ -151,6 +153,7 @@ std::string bytesOf(const CoverMap& map)
     for (const auto& [code, count] : map.unknownCodes)
         foundation::appendValue(
             bytes, std::array{static_cast<std::int64_t>(code), static_cast<std::int64_t>(count)});
+    foundation::appendTexts(bytes, map.notes);
     return bytes;
 }
 
@@ -175,7 +178,7 @@ std::optional<CoverMap> coverIn(std::string_view bytes)
         if (!taker.take(unknown)) return std::nullopt;
         map.unknownCodes.emplace(static_cast<int>(unknown[0]), static_cast<std::size_t>(unknown[1]));
     }
-    return taker.isEmpty() ? std::optional(std::move(map)) : std::nullopt;
+    return taker.take(map.notes) && taker.isEmpty() ? std::optional(std::move(map)) : std::nullopt;
 }
 
 } // namespace

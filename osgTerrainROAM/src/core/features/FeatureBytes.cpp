@@ -67,6 +67,7 @@ std::string bytesOf(const FeatureSet& set)
         foundation::appendText(bytes, name);
         foundation::appendValue(bytes, static_cast<std::uint64_t>(count));
     }
+    foundation::appendTexts(bytes, report.notes);
     foundation::appendValue(bytes, static_cast<std::uint64_t>(set.features.size()));
     for (const GroundFeature& feature : set.features)
     {
@@ -94,7 +95,7 @@ std::optional<FeatureSet> featuresIn(std::string_view bytes)
         if (!taker.take(name) || !taker.take(seen)) return std::nullopt;
         set.report.unknown.emplace(name, static_cast<std::size_t>(seen));
     }
-    if (!taker.takeCount(count, sizeof(StyleNumbers))) return std::nullopt;
+    if (!taker.take(set.report.notes) || !taker.takeCount(count, sizeof(StyleNumbers))) return std::nullopt;
     set.features.resize(static_cast<std::size_t>(count));
     for (GroundFeature& feature : set.features)
         if (!takeStyle(taker, feature) || !takePaths(taker, feature.paths)) return std::nullopt;

@@ -147,11 +147,11 @@ private:
 Result<FeatureSet> readFeatures(const std::filesystem::path& source, const PlacedTile& tile)
 {
     Reader reader(source, tile);
-    const Outcome read =
-        forEachFeature(source, tile,
-                       [&](OGRFeature& feature, OGRLayer& layer, OGRCoordinateTransformation* toWgs84)
-                       { return reader.read(feature, layer, toWgs84); });
+    auto read = forEachFeature(source, tile,
+                               [&](OGRFeature& feature, OGRLayer& layer, OGRCoordinateTransformation* toWgs84)
+                               { return reader.read(feature, layer, toWgs84); });
     if (!read) return read.error();
+    reader.set.report.notes = std::move(*read);
     if (reader.set.features.empty())
         return Error{
             source.string(), "has nothing to paint: " + reader.set.report.message(),

@@ -31,6 +31,7 @@ void FeatureSet::append(FeatureSet other)
     report.taken += other.report.taken;
     report.outside += other.report.outside;
     report.invalid += other.report.invalid;
+    report.notes.insert(report.notes.end(), other.report.notes.begin(), other.report.notes.end());
     for (const auto& [name, count] : other.report.unknown)
         report.unknown[name] += count;
 }

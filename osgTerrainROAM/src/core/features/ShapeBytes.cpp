@@ -73,6 +73,7 @@ std::string bytesOf(const ShapeSet& set)
         foundation::appendValues(bytes, line.points);
         appendTags(bytes, line.tags);
     }
+    foundation::appendTexts(bytes, set.notes);
     return bytes;
 }
 
@@ -94,7 +95,7 @@ std::optional<ShapeSet> shapesIn(std::string_view bytes)
     set.linear.resize(static_cast<std::size_t>(count));
     for (MapLine& line : set.linear)
         if (!takeMapLine(taker, line)) return std::nullopt;
-    return taker.isEmpty() ? std::optional(std::move(set)) : std::nullopt;
+    return taker.take(set.notes) && taker.isEmpty() ? std::optional(std::move(set)) : std::nullopt;
 }
 
 } // namespace osgTerrainROAM::core

@@ -142,13 +142,14 @@ private:
 foundation::Result<ShapeSet> readShapes(const std::filesystem::path& source, const PlacedTile& tile)
 {
     ShapeReader reader(tile);
-    const auto read = forEachFeature(source, tile,
-                                     [&](OGRFeature& feature, OGRLayer&, OGRCoordinateTransformation* toWgs84)
-                                     {
-                                         reader.take(feature, toWgs84);
-                                         return foundation::success();
-                                     });
+    auto read = forEachFeature(source, tile,
+                               [&](OGRFeature& feature, OGRLayer&, OGRCoordinateTransformation* toWgs84)
+                               {
+                                   reader.take(feature, toWgs84);
+                                   return foundation::success();
+                               });
     if (!read) return read.error();
+    reader.set.notes = std::move(*read);
     return std::move(reader.set);
 }
 

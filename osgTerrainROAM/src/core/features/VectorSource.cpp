@@ -71,10 +71,11 @@ Error damageOf(const std::filesystem::path& source, OGRLayer& layer, const GdalS
 
 } // namespace
 
-foundation::Outcome forEachFeature(const std::filesystem::path& source, const PlacedTile& tile,
-                                   const FeatureUse& use)
+Result<std::vector<std::string>> forEachFeature(const std::filesystem::path& source, const PlacedTile& tile,
+                                                const FeatureUse& use)
 {
     GdalSession gdal;
+    gdal.setFile(source.string());
     const auto dataset = openVectorSource(source, tile, gdal);
     if (!dataset) return dataset.error();
     for (OGRLayer* layer : (*dataset)->GetLayers())
@@ -89,11 +90,11 @@ foundation::Outcome forEachFeature(const std::filesystem::path& source, const Pl
             gdal.clear();
             const OGRFeatureUniquePtr feature{layer->GetNextFeature()};
             if (!feature) break;
-            if (const auto used = use(*feature, *layer, toWgs84->get()); !used) return used;
+            if (const auto used = use(*feature, *layer, toWgs84->get()); !used) return used.error();
         }
         if (gdal.hasFailed()) return damageOf(source, *layer, gdal);
     }
-    return foundation::success();
+    return gdal.notes();
 }
 
 std::string placeOf(const std::filesystem::path& source, OGRLayer& layer)

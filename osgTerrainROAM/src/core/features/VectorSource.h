@@ -21,8 +21,9 @@ using FeatureUse =
 /// Reads the features of all layers of a vector source that is to be laid on a tile. Errors: a planar tile
 /// with georeference; no such file; no format of OGR; a layer without a coordinate system, or with one that
 /// cannot be related; one that is damaged; those of `use`, which end it.
-foundation::Outcome forEachFeature(const std::filesystem::path& source, const PlacedTile& tile,
-                                   const FeatureUse& use);
+/// Returns what GDAL warned of, one line each.
+foundation::Result<std::vector<std::string>> forEachFeature(const std::filesystem::path& source,
+                                                            const PlacedTile& tile, const FeatureUse& use);
 
 /// Names a layer in messages.
 std::string placeOf(const std::filesystem::path& source, OGRLayer& layer);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include <foundation/KeptFrom.h>
@@ -19,7 +20,8 @@ struct CoverMap
     int width = 0, height = 0;
     std::vector<GroundKind> kinds; ///< row-major, southernmost row first
     std::map<int, std::size_t>
-        unknownCodes; ///< number of texels by code that is not in the table; 32 codes at most
+        unknownCodes;                 ///< number of texels by code that is not in the table; 32 codes at most
+    std::vector<std::string> notes{}; ///< what GDAL warned of, one line each
 
     GroundKind at(int x, int y) const { return kinds[static_cast<std::size_t>(y) * width + x]; }
 };

@@ -69,6 +69,7 @@ struct FeatureReport
     std::size_t outside = 0;                    ///< wholly beyond the tile's data
     std::size_t invalid = 0;                    ///< no geometry, too few points, or no position on the tile
     std::map<std::string, std::size_t> unknown; ///< of no known kind, by the tag that names their kind
+    std::vector<std::string> notes{};           ///< what GDAL warned of, one line each
 
     /// One line: "12 of 20 features painted; 3 outside; 1 invalid; 4 unknown: highway=steps 3, (no tags) 1".
     std::string message() const;

@@ -42,6 +42,7 @@ struct ShapeSet
     std::vector<MapShape> shapes; ///< points and areas
     std::vector<MapLine> linear;  ///< as many as `lines`, less those beyond the tile or without two points
     std::size_t lines = 0, outside = 0, invalid = 0;
+    std::vector<std::string> notes{}; ///< what GDAL warned of, one line each
 };
 
 /// Reads the points, areas and lines of any vector source that GDAL's OGR opens, with all attributes (those
