@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+#include <string>
+
 #include <foundation/XmlSource.h>
 
 #include "simulation/parser/Expression.h"
@@ -50,11 +54,19 @@ private:
         return 2 * timed > points && (differ || points == 1);
     }
 
+    /// A number; its decimal mark may be the comma of the writer's language, which the format forbids.
+    static std::optional<double> coordinateOf(pugi::xml_node node, const char* name)
+    {
+        std::string text = node.attribute(name).value();
+        if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
+            std::replace(text.begin(), text.end(), ',', '.');
+        return parseNumber(text);
+    }
+
     void take(pugi::xml_node node)
     {
         const int line = _source.lineOf(node);
-        const auto latitude = parseNumber(node.attribute("lat").value());
-        const auto longitude = parseNumber(node.attribute("lon").value());
+        const auto latitude = coordinateOf(node, "lat"), longitude = coordinateOf(node, "lon");
         const std::string_view timeText = textOf(node, "time");
         const auto time = unixSeconds(timeText);
         if (!latitude || !longitude)
@@ -99,6 +111,9 @@ foundation::Result<TrackReading> parseGpx(std::string_view text, const std::stri
         for (pugi::xml_node segment : node.children())
             if (isTrack && plainName(segment) == "trkseg") points.take(segment, "trkpt");
     }
+    const pugi::xml_node root = (*source)->root(), mark = childOf(root, "wpt");
+    if (mark && !childOf(root, "trk") && !childOf(root, "rte"))
+        builder.problem((*source)->lineOf(mark), "it has waypoints, and no track or route");
     return builder.finish();
 }
 

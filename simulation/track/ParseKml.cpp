@@ -174,11 +174,25 @@ private:
             std::string_view text = textOf(child, "coordinates");
             while (!text.empty())
             {
-                const std::size_t end = std::min(text.find_first_of(" \t\r\n"), text.size());
+                const std::size_t end = endOfPlace(text);
                 take(track, {}, child, text.substr(0, end), mode);
                 text = trimmed(text.substr(end));
             }
         }
+    }
+
+    /// Where the first of several places ends: at a blank that no comma stands beside.
+    static std::size_t endOfPlace(std::string_view text)
+    {
+        constexpr const char* kBlanks = " \t\r\n";
+        std::size_t end = text.find_first_of(kBlanks);
+        while (end != std::string_view::npos)
+        {
+            const std::size_t next = text.find_first_not_of(kBlanks, end);
+            if (next == std::string_view::npos || (text[next] != ',' && text[end - 1] != ',')) return end;
+            end = text.find_first_of(kBlanks, next);
+        }
+        return text.size();
     }
 
     /// Longitude, latitude and height, parted by blanks or commas.
@@ -192,13 +206,14 @@ private:
         {
             const std::size_t end = std::min(text.find_first_of(", \t\r\n"), text.size());
             numbers.push_back(parseNumber(text.substr(0, end)));
-            text = trimmed(text.substr(std::min(end + 1, text.size())));
+            text = trimmed(text.substr(end));
+            if (text.starts_with(',')) text = trimmed(text.substr(1));
         }
         const auto time = when ? unixSeconds(when.text().get()) : std::optional(0.0);
         if (!time) return _builder.problem(_source.lineOf(when), "the time cannot be read");
         if (text.empty() && numbers.empty()) return _builder.problem(line, "a fix without a position");
         if (numbers.size() < 2 || !numbers[0] || !numbers[1] || (numbers.size() > 2 && !numbers[2]))
-            return _builder.problem(line, "a gx:coord is not longitude, latitude and height");
+            return _builder.problem(line, "a place is not longitude, latitude and height");
         const bool isClamped = mode.empty() || mode == "clampToGround" || mode == "clampToSeaFloor";
         const std::optional<double> height = isClamped ? 0.0 : numbers.size() > 2 ? numbers[2] : std::nullopt;
         TrackFix fix{*time, *numbers[1], *numbers[0], height, line};

@@ -211,10 +211,12 @@ foundation::Result<TrackReading> parseTrackTable(std::string_view text, const st
         if (!isSeparator && !header.empty() && !header.starts_with('#')) break;
         text = rest;
     }
-    const std::string_view header = text.substr(0, text.find('\n'));
+    std::string_view rest = text;
+    const std::string_view header = takeLine(rest);
     if (mark == '\0')
         mark = header.find(';') != std::string_view::npos    ? ';'
                : header.find('\t') != std::string_view::npos ? '\t'
+               : header.find('|') != std::string_view::npos  ? '|'
                                                              : ',';
     foundation::CsvRecord record = foundation::takeCsvRecord(text, mark);
     const TableColumns columns = columnsOf(record.cells);

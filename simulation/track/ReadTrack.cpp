@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -30,30 +31,17 @@ std::string extensionOf(const std::filesystem::path& file)
     return extension;
 }
 
-/// Which file of a zip archive is the recording: doc.kml, another KML file, another recording, text, others.
+/// Which file of a zip archive is looked at first: doc.kml, another KML file, another recording, text,
+/// others. What macOS lays beside each file is none.
 int rankOfFile(std::string_view name)
 {
     const std::filesystem::path file(name);
+    if (name.starts_with("__MACOSX/")) return -1;
     if (name == "doc.kml") return 0;
     const std::string extension = extensionOf(file);
     if (extension == ".kml") return 1;
     if (isTrackFile(file)) return 2;
     return extension == ".txt" ? 3 : 4;
-}
-
-/// Puts the content of a compressed file in its place.
-foundation::Outcome unpack(std::string& text, const std::string& name)
-{
-    constexpr int kGzip = 16;
-    const bool isZip = text.starts_with("PK\x03\x04");
-    if (!isZip && !text.starts_with("\x1F\x8B")) return foundation::success();
-    std::optional<std::string> unpacked =
-        isZip ? fileOfZip(text, rankOfFile) : inflated(text, kGzip + MAX_WBITS);
-    if (!unpacked)
-        return foundation::Error{name, isZip ? "is a damaged zip archive" : "is damaged by its checksum",
-                                 "copy it again, or unpack it"};
-    text = std::move(*unpacked);
-    return foundation::success();
 }
 
 /// Tracks without a name have that of the file; those of the same name are numbered.
@@ -86,6 +74,42 @@ foundation::Result<TrackReading> parse(std::string_view text, const std::filesys
                              "name an .igc, .gpx, .kml, .kmz, .acmi or .csv file"};
 }
 
+/// Adds what a further file of an archive has.
+void append(TrackReading& reading, TrackReading more, const std::string& name)
+{
+    std::move(more.tracks.begin(), more.tracks.end(), std::back_inserter(reading.tracks));
+    for (TrackProblem& problem : more.problems)
+        reading.problems.push_back({problem.line, name + ": " + problem.what});
+    for (TrackProblem& note : more.notes)
+        reading.notes.push_back({note.line, name + ": " + note.what});
+    reading.problemCount += more.problemCount;
+}
+
+/// Reads doc.kml of a zip archive, to which the other files of a KMZ belong; where it has no position, or
+/// there is none, all recordings.
+foundation::Result<TrackReading> parseZip(std::string_view zip, const std::filesystem::path& file)
+{
+    std::optional<foundation::Result<TrackReading>> reading;
+    const auto take = [&](ZipFile inside)
+    {
+        const bool isRecording = inside.name.empty() || rankOfFile(inside.name) < 3;
+        if (reading && !isRecording) return false; // the error of a recording says more
+        const std::string at = file.string() + (inside.name.empty() ? "" : ": " + inside.name);
+        foundation::Result<TrackReading> read =
+            inside.text ? parse(*inside.text, file)
+                        : foundation::Error{at, inside.reason, "copy the archive again, or unpack it"};
+        const bool isRead = static_cast<bool>(read);
+        if (isRead && reading && *reading)
+            append(**reading, std::move(*read), inside.name);
+        else if (isRead || !reading)
+            reading.emplace(std::move(read));
+        return isRead && inside.name == "doc.kml";
+    };
+    forEachFileOfZip(zip, rankOfFile, take);
+    if (reading) return std::move(*reading);
+    return foundation::Error{file.string(), "is a damaged zip archive", "copy it again, or unpack it"};
+}
+
 } // namespace
 
 bool isTrackFile(const std::filesystem::path& file)
@@ -102,8 +126,15 @@ foundation::Result<TrackReading> readTracks(const std::filesystem::path& file)
         return foundation::Error{name, "is larger than 256 MiB", "split the recording"};
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (const auto unpacked = unpack(text, name); !unpacked) return unpacked.error();
-    auto reading = parse(text, file);
+    if (text.starts_with("\x1F\x8B"))
+    {
+        constexpr int kGzip = 16;
+        auto unpacked = inflated(text, kGzip + MAX_WBITS);
+        if (!unpacked)
+            return foundation::Error{name, "is damaged by its checksum", "copy it again, or unpack it"};
+        text = std::move(*unpacked);
+    }
+    auto reading = text.starts_with("PK\x03\x04") ? parseZip(text, file) : parse(text, file);
     if (reading) nameTracks(*reading, file);
     return reading;
 }

@@ -16,10 +16,10 @@ namespace simulation
 bool isTrackFile(const std::filesystem::path& file);
 
 /// Reads the tracks of a file: .igc, .gpx, .kml, .kmz, .acmi, .csv, in small or capital letters; as they are,
-/// or compressed by gzip or in a zip archive, of which doc.kml or the first recording is read. Each track has
-/// a name of its own. Errors, with the line: not a readable file, larger than 256 MiB, of no known kind,
-/// damaged as a whole, without any position. A damaged record is a problem of the reading, with its line; the
-/// others are read.
+/// or compressed by gzip or in a zip archive, of which doc.kml or, where it has no position, all recordings
+/// are read. Each track has a name of its own. Errors, with the line: not a readable file, larger than 256
+/// MiB, of no known kind, damaged as a whole, without any position. A damaged record is a problem of the
+/// reading, with its line; the others are read.
 foundation::Result<TrackReading> readTracks(const std::filesystem::path& file);
 
 // The same from a text; `name` stands for the file in errors.
@@ -41,7 +41,7 @@ foundation::Result<TrackReading> parseKml(std::string_view text, const std::stri
 foundation::Result<TrackReading> parseAcmi(std::string_view text, const std::string& name);
 
 /// A table whose first line names its columns: time (seconds, or date and time), latitude, longitude and
-/// height, by their usual names, parted by commas, semicolons or tabs.
+/// height, by their usual names, parted by commas, semicolons, tabs or upright lines.
 foundation::Result<TrackReading> parseTrackTable(std::string_view text, const std::string& name);
 
 } // namespace simulation

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "simulation/track/FillHeights.h"
 #include "simulation/track/TrackTimes.h"
 
 namespace simulation
@@ -88,6 +89,11 @@ foundation::Result<TrackReading> TrackBuilder::finish()
         if (order.isReversed && !track.fixes.empty())
             note(track.fixes.back().line, "the last fix stands first; the track is read backwards");
     }
+    for (FlightTrack& track : _reading.tracks)
+        if (const std::size_t given = fillHeights(track); given > 0)
+            note(track.fixes.front().line, std::to_string(given) + " of " +
+                                               std::to_string(track.fixes.size()) +
+                                               " fixes have no height; it is taken from those beside them");
     const auto byLine = [](const TrackProblem& a, const TrackProblem& b) { return a.line < b.line; };
     std::stable_sort(_reading.problems.begin(), _reading.problems.end(), byLine);
     std::erase_if(_reading.tracks, [](const FlightTrack& track) { return track.fixes.empty(); });
@@ -101,10 +107,12 @@ foundation::Result<TrackReading> TrackBuilder::finish()
 
 std::string_view takeLine(std::string_view& text)
 {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
+    std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    // A return before another is one too many, and belongs to the same end of a line.
+    const std::size_t next = std::min(text.find_first_not_of('\r', end), text.size());
+    const std::string_view line = text.substr(0, end);
+    if (next < text.size() && text[next] == '\n') end = next;
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     return line;
 }
 

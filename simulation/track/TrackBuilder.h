@@ -45,7 +45,7 @@ private:
     std::vector<std::pair<std::size_t, std::size_t>> _parts; ///< the track, and the first fix of the part
 };
 
-/// Takes the first line off a text, without its end.
+/// Takes the first line off a text, without its end: a line feed, returns and a line feed, or a return alone.
 std::string_view takeLine(std::string_view& text);
 
 /// Returns a text without blanks at both ends.

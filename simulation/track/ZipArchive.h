@@ -16,12 +16,21 @@ inline constexpr std::size_t kMostUnpackedBytes = std::size_t{256} << 20;
 /// damaged or holds more than kMostUnpackedBytes.
 std::optional<std::string> inflated(std::string_view bytes, int windowBits);
 
-/// Returns the file of a zip archive of which `rank` gives the smallest number, of equal ones the first of
-/// its directory. Of an archive whose directory was cut off the first file is returned. Nothing where that
-/// file is damaged, encrypted or too large, or there is none.
+/// A file of a zip archive.
+struct ZipFile
+{
+    std::string name;                ///< empty: the archive's directory was cut off
+    std::optional<std::string> text; ///< nothing: it cannot be unpacked
+    std::string reason;              ///< why not: "is encrypted"
+};
+
+/// Returns the files of a zip archive whose rank is not below 0, those of the smallest rank first, of equal
+/// ones as its directory has them. Of an archive whose directory was cut off the first file is returned.
+/// Empty: there is none. Each is unpacked when the one before has been looked at: `use` returns true to end
+/// it.
 /// Source: PKWARE, *.ZIP file format specification* 6.3.10, 4.3.7 (local file header), 4.3.12 (central
 /// directory structure), 4.3.16 (end of central directory record).
-std::optional<std::string> fileOfZip(std::string_view zip,
-                                     const std::function<int(std::string_view name)>& rank);
+void forEachFileOfZip(std::string_view zip, const std::function<int(std::string_view name)>& rank,
+                      const std::function<bool(ZipFile)>& use);
 
 } // namespace simulation

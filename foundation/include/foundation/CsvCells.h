@@ -25,9 +25,15 @@ inline CsvRecord takeCsvRecord(std::string_view& text, char mark)
     const auto isBlank = [&](char c) { return (c == ' ' || c == '\t' || c == '\r') && c != mark; };
     CsvRecord record;
     std::size_t at = 0;
+    // A return alone ends a line, as old programs write it; one before another end is a blank.
+    const auto isEnd = [&](std::size_t i)
+    {
+        return text[i] == '\n' ||
+               (text[i] == '\r' && i + 1 < text.size() && text[i + 1] != '\n' && text[i + 1] != '\r');
+    };
     const auto skipBlanks = [&]
     {
-        while (at < text.size() && isBlank(text[at]))
+        while (at < text.size() && isBlank(text[at]) && !isEnd(at))
             ++at;
     };
     const auto closingQuote = [&](std::size_t from)
@@ -54,14 +60,14 @@ inline CsvRecord takeCsvRecord(std::string_view& text, char mark)
             at = end + 1;
         }
         const std::size_t rest = at;
-        while (at < text.size() && text[at] != mark && text[at] != '\n')
+        while (at < text.size() && text[at] != mark && !isEnd(at))
             ++at;
         std::string_view unquoted = text.substr(rest, at - rest);
         while (!unquoted.empty() && isBlank(unquoted.back()))
             unquoted.remove_suffix(1);
         cell += unquoted;
         record.cells.push_back(std::move(cell));
-        isLast = at >= text.size() || text[at] == '\n';
+        isLast = at >= text.size() || isEnd(at);
         if (at < text.size()) ++at;
     }
     text.remove_prefix(at);

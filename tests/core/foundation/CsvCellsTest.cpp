@@ -33,6 +33,14 @@ TEST(CsvCells, ARecordMayHaveEndsOfLinesInQuotesAndTellsThem)
     EXPECT_EQ(cellsOf(text), (Cells{"d", "e"}));
 }
 
+TEST(CsvCells, AReturnAloneEndsALineAndOneBeforeAnotherEndIsABlank)
+{
+    std::string_view text = "a,b\rc,d\r\ne,f\r\r\ng\r";
+    for (const Cells& cells : {Cells{"a", "b"}, Cells{"c", "d"}, Cells{"e", "f"}, Cells{"g"}})
+        EXPECT_EQ(takeCsvRecord(text, ',').cells, cells);
+    EXPECT_TRUE(text.empty());
+}
+
 TEST(CsvCells, AQuoteThatIsNeverClosedTakesNoOtherLine)
 {
     std::string_view text = "\"a,b\nc,d\n";

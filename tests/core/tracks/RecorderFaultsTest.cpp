@@ -5,7 +5,6 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/track/ReadTrack.h"
@@ -294,95 +293,6 @@ TEST(TrackGaps, AreTold)
     EXPECT_EQ(gapsOf(unevenTrack({0, 1, 2, 300, 301}, 2, 0.0)),
               "no fix for more than 30 s 1 times, for 298 s after line 3; the way is straight there");
     EXPECT_FALSE(gapsOf(unevenTrack({0, 60, 120, 180, 240}, 2, 0.0))) << "that is how it records";
-}
-
-std::string little(std::size_t value, int count)
-{
-    std::string bytes;
-    for (int i = 0; i < count; ++i)
-        bytes += static_cast<char>(value >> (8 * i) & 0xFF);
-    return bytes;
-}
-
-/// A zip archive of stored files, or of deflated ones.
-std::string zipOf(const std::vector<std::pair<std::string, std::string>>& files, bool isDeflated)
-{
-    std::string zip, directory;
-    for (const auto& [name, content] : files)
-    {
-        std::string packed = content;
-        if (isDeflated)
-        {
-            z_stream stream{};
-            EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
-            packed.assign(content.size() + 100, '\0');
-            stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-            stream.avail_in = static_cast<uInt>(content.size());
-            stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-            stream.avail_out = static_cast<uInt>(packed.size());
-            EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-            packed.resize(stream.total_out);
-            deflateEnd(&stream);
-        }
-        const std::size_t begin = zip.size();
-        const std::string sizes = little(crc32(0, reinterpret_cast<const Bytef*>(content.data()),
-                                               static_cast<uInt>(content.size())),
-                                         4) +
-                                  little(packed.size(), 4) + little(content.size(), 4) +
-                                  little(name.size(), 2);
-        const std::string head = little(0, 2) + little(isDeflated ? 8 : 0, 2) + little(0, 4);
-        zip += "PK\x03\x04" + little(20, 2) + head + sizes + little(0, 2) + name + packed;
-        directory += "PK\x01\x02" + little(20, 2) + little(20, 2) + head + sizes + little(0, 2) +
-                     little(0, 2) + little(0, 2) + little(0, 2) + little(0, 4) + little(begin, 4) + name;
-    }
-    return zip + directory + "PK\x05\x06" + little(0, 4) + little(files.size(), 2) + little(files.size(), 2) +
-           little(directory.size(), 4) + little(zip.size(), 4) + little(0, 2);
-}
-
-std::string lineNamed(const std::string& name)
-{
-    return "<kml><Placemark><name>" + name +
-           "</name><LineString><coordinates>8,46 8,46.1</coordinates></LineString></Placemark></kml>";
-}
-
-/// The name of the first track in an archive, or the message.
-std::string nameIn(const std::string& zip, const char* file = "a.kmz")
-{
-    const auto path = std::filesystem::path(testing::TempDir()) / file;
-    std::ofstream(path, std::ios::binary) << zip;
-    const auto reading = readTracks(path);
-    std::filesystem::remove(path);
-    return reading ? reading->tracks.at(0).name : reading.error().message();
-}
-
-TEST(ZipArchive, TheRecordingIsFoundWhereverItIs)
-{
-    for (const bool isDeflated : {false, true})
-    {
-        EXPECT_EQ(
-            nameIn(zipOf({{"files/icon.png", "PNG"}, {"flight of today.kml", lineNamed("a")}}, isDeflated)),
-            "a");
-        EXPECT_EQ(nameIn(zipOf({{"first.kml", lineNamed("b")}, {"doc.kml", lineNamed("a")}}, isDeflated)),
-                  "a");
-        EXPECT_EQ(nameIn(zipOf({{"b/", ""}, {"b/FIRST.KML", lineNamed("a")}, {"c.kml", lineNamed("b")}},
-                               isDeflated)),
-                  "a");
-        EXPECT_EQ(nameIn(zipOf({{"readme.txt", "words"}, {"x.acmi", "#0\n1,T=8|46|0,Name=a"}}, isDeflated),
-                         "f.zip.acmi"),
-                  "a");
-    }
-}
-
-TEST(ZipArchive, DamageIsTold)
-{
-    const std::string zip = zipOf({{"a.kml", lineNamed("a")}}, true);
-    EXPECT_NE(nameIn(zip.substr(0, 60)).find("damaged zip archive"), std::string::npos);
-    for (const std::size_t at : {std::size_t{45}, zip.find("PK\x01\x02") + 16, zip.find("PK\x01\x02") + 42})
-    {
-        std::string broken = zip;
-        broken[at] = static_cast<char>(broken[at] ^ 0x55);
-        EXPECT_NE(nameIn(broken).find("damaged zip archive"), std::string::npos) << at;
-    }
 }
 
 } // namespace
