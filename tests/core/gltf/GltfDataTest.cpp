@@ -226,7 +226,28 @@ TEST(GltfData, PositionsWithoutDataAreNoMeshOfZeros)
     model.primitive = R"(,"extensions":{"KHR_draco_mesh_compression":{"bufferView":0}})";
     const auto draco = parsed(model.text());
     ASSERT_FALSE(draco);
-    EXPECT_EQ(draco.error().what, "accessor 0 has no data; those of KHR_draco_mesh_compression are not read");
+    EXPECT_EQ(draco.error().what,
+              "has a mesh in the extension KHR_draco_mesh_compression, which is not read");
+}
+
+TEST(GltfData, OtherVersionsAreNamed)
+{
+    const auto versioned = [](const std::string& asset)
+    {
+        std::string text = triangleWith("");
+        const std::string usual = R"("version":"2.0")";
+        return parsed(text.replace(text.find(usual), usual.size(), asset));
+    };
+    EXPECT_TRUE(versioned(R"("version":"2.0","minVersion":"2.0")"));
+    for (const auto& [asset, why] :
+         {std::pair{R"("version":"1.0")", R"(is glTF of version "1.0", not 2)"},
+          {R"("version":"3.0")", R"(is glTF of version "3.0", not 2)"},
+          {R"("version":"2.1","minVersion":"2.1")", R"(requires a reader of glTF "2.1"; 2.0 is read)"}})
+    {
+        const auto read = versioned(asset);
+        ASSERT_FALSE(read) << asset;
+        EXPECT_EQ(read.error().what, why);
+    }
 }
 
 TEST(GltfData, ATextureTransformMovesTheCoordinates)

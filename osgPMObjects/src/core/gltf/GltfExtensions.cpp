@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string_view>
@@ -105,6 +106,65 @@ foundation::Outcome checkNames(const json& model, const std::string& name, GltfR
     return foundation::success();
 }
 
+/// The first number of "2.0"; 0: there is none.
+int majorOf(const json* version)
+{
+    if (!version || !version->is_string()) return 0;
+    return std::atoi(version->get_ref<const std::string&>().c_str());
+}
+
+/// Errors: the file says that it is of another version, or that its reader must know more than 2.0.
+foundation::Outcome checkVersion(const json& model, const std::string& name)
+{
+    const json* const asset = memberOf(model, "asset");
+    if (!asset) return foundation::success();
+    const json* const version = memberOf(*asset, "version");
+    if (version && majorOf(version) != 2)
+        return foundation::Error{name, "is glTF of version " + version->dump() + ", not 2",
+                                 "export the model again as glTF 2"};
+    const json* const least = memberOf(*asset, "minVersion");
+    if (least && *least != "2.0")
+        return foundation::Error{name, "requires a reader of glTF " + least->dump() + "; 2.0 is read",
+                                 "export the model again as glTF 2.0"};
+    return foundation::success();
+}
+
+/// Errors: a primitive has its vertices in the data of an extension alone that is not read, though the file
+/// does not say that it requires it.
+foundation::Outcome checkData(const json& model, const std::string& name)
+{
+    const json* const accessors = memberOf(model, "accessors");
+    const auto hasData = [&](const json& index)
+    {
+        if (!accessors || !index.is_number_unsigned() || index >= accessors->size())
+            return true; // told elsewhere
+        const json& accessor = (*accessors)[index.get<std::size_t>()];
+        return memberOf(accessor, "bufferView") || memberOf(accessor, "sparse");
+    };
+    const json none = json::array();
+    const auto listIn = [&](const json& object, const char* member) -> const json&
+    {
+        const json* const list = memberOf(object, member);
+        return list && list->is_array() ? *list : none;
+    };
+    for (const json& mesh : listIn(model, "meshes"))
+        for (const json& primitive : listIn(mesh, "primitives"))
+        {
+            const json* const extensions = memberOf(primitive, "extensions");
+            const json* const attributes = memberOf(primitive, "attributes");
+            const json* const position = attributes ? memberOf(*attributes, "POSITION") : nullptr;
+            const json* const indices = memberOf(primitive, "indices");
+            if (!extensions || !extensions->is_object() || !position) continue;
+            if (hasData(*position) && (!indices || hasData(*indices))) continue;
+            for (const auto& [extension, data] : extensions->items())
+                if (readingOf(extension) == Reading::none)
+                    return foundation::Error{
+                        name, "has a mesh in the extension " + extension + ", which is not read",
+                        "export the model again without it"};
+        }
+    return foundation::success();
+}
+
 /// The data of such a buffer are those that its views decompress.
 bool isStandIn(const json& buffer)
 {
@@ -160,9 +220,10 @@ foundation::Outcome prepareExtensions(std::string& bytes, const std::string& nam
     const auto place = jsonPlaceOf(bytes);
     if (!place) return foundation::success();
     const std::string_view text = std::string_view(bytes).substr(place->offset, place->length);
-    if (text.find("\"extensions") == text.npos && text.find("\"sparse\"") == text.npos)
-        return foundation::success();
-    constexpr int kDeepest = 512; // the library writes by recursion
+    const auto has = [&](const char* word) { return text.find(word) != text.npos; };
+    if (!has("\"extensions") && !has("\"sparse\"") && !has("\"minVersion\"") && has("\"2.0\""))
+        return foundation::success(); // needs no look
+    constexpr int kDeepest = 512;     // the library writes by recursion
     bool isTooDeep = false;
     const auto watch = [&](int depth, json::parse_event_t, json&)
     {
@@ -171,7 +232,9 @@ foundation::Outcome prepareExtensions(std::string& bytes, const std::string& nam
     };
     json model = json::parse(text.begin(), text.end(), watch, false);
     if (!model.is_object() || isTooDeep) return foundation::success();
+    if (const auto checked = checkVersion(model, name); !checked) return checked;
     if (const auto checked = checkNames(model, name, report); !checked) return checked;
+    if (const auto checked = checkData(model, name); !checked) return checked;
     const bool hasStandIns = fillStandIns(model), hasViews = giveViews(model);
     if (hasStandIns || hasViews)
         replaceJson(bytes, *place, model.dump(-1, ' ', false, json::error_handler_t::replace));

@@ -56,9 +56,9 @@ void GltfPrimitiveReader::readArrays(const tinygltf::Primitive& primitive, std::
     }
     if (const auto positions = primitive.attributes.find("POSITION");
         positions != primitive.attributes.end() && !hasData(_model, positions->second))
-        return failWithoutData(primitive, positions->second);
+        return fail("accessor " + std::to_string(positions->second), "has no data");
     if (primitive.indices >= 0 && !hasData(_model, primitive.indices))
-        return failWithoutData(primitive, primitive.indices);
+        return fail("accessor " + std::to_string(primitive.indices), "has no data");
     _positions = attribute(primitive, "POSITION").value_or(std::vector<glm::dvec4>{});
     _normals = attribute(primitive, "NORMAL");
     _texCoords[0] = attribute(primitive, "TEXCOORD_0");
@@ -72,15 +72,6 @@ void GltfPrimitiveReader::readArrays(const tinygltf::Primitive& primitive, std::
     _pattern = {{}, materialOf(primitive), part};
     countDropped(primitive);
     takeTriangles(primitive);
-}
-
-void GltfPrimitiveReader::failWithoutData(const tinygltf::Primitive& primitive, int accessor)
-{
-    std::string why = "has no data";
-    for (const auto& extension : primitive.extensions)
-        why += (&extension == &*primitive.extensions.begin() ? "; those of " : ", ") + extension.first;
-    if (!primitive.extensions.empty()) why += " are not read";
-    fail("accessor " + std::to_string(accessor), why);
 }
 
 void GltfPrimitiveReader::countDropped(const tinygltf::Primitive& primitive)

@@ -51,7 +51,6 @@ private:
     /// then set).
     std::optional<std::vector<glm::dvec4>> attribute(const tinygltf::Primitive& primitive,
                                                      const char* semantic);
-    void failWithoutData(const tinygltf::Primitive& primitive, int accessor);
     void countDropped(const tinygltf::Primitive& primitive);
     std::uint32_t materialOf(const tinygltf::Primitive& primitive);
     void takeTriangles(const tinygltf::Primitive& primitive);
