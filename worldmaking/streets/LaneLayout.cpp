@@ -22,7 +22,7 @@ using osgRoads::core::MarkType;
 using osgRoads::core::RoadMark;
 using Strip = LaneLayout::Strip;
 
-constexpr double kSidewalkM = 1.5, kKerbM = 0.12, kMarkM = 0.12;
+constexpr double kSidewalkM = 1.5, kCycleTrackM = 2.0, kKerbM = 0.12, kMarkM = 0.12;
 constexpr double kTaperM = 30.0; ///< over which lanes change their width
 
 /// One side of a street.
@@ -31,6 +31,7 @@ struct Side
     int lanes, busLanes, sharedLanes;
     bool hasSidewalk;
     double speedKmh;
+    CycleWay cycles;
 };
 
 std::vector<Strip> sideOf(const StreetTraits& traits, const Side& side)
@@ -48,19 +49,34 @@ std::vector<Strip> sideOf(const StreetTraits& traits, const Side& side)
     for (int i = 0; i < side.lanes; ++i)
     {
         const bool isLast = i + 1 == side.lanes;
-        strips.push_back({LaneType::driving, i, traits.laneWidthM, isLast ? edge : MarkType::broken, false,
+        const bool isBeforeBuses = i + 1 == side.lanes - side.busLanes;
+        const MarkType inner = isBeforeBuses ? MarkType::solid : MarkType::broken;
+        strips.push_back({LaneType::driving, i, traits.laneWidthM, isLast ? edge : inner, false,
                           i >= side.lanes - side.busLanes, side.speedKmh});
     }
+    if (side.cycles == CycleWay::lane)
+    {
+        if (!strips.empty()) strips.back().outerMark = MarkType::solid;
+        strips.push_back({LaneType::biking, 0, kCycleLaneM, edge});
+    }
     if (traits.shoulderM > 0.0) strips.push_back({LaneType::shoulder, 0, traits.shoulderM, MarkType::none});
+    if (side.cycles == CycleWay::track) // behind the kerb
+        strips.push_back({LaneType::biking, 1, kCycleTrackM, MarkType::solid});
     if (side.hasSidewalk) strips.push_back({LaneType::sidewalk, 0, kSidewalkM, MarkType::none});
     return strips;
+}
+
+/// Whether a strip lies between the kerbs.
+bool isOfPaving(const Strip& strip)
+{
+    return strip.type == LaneType::driving || (strip.type == LaneType::biking && strip.order == 0);
 }
 
 double widthOf(const std::vector<Strip>& strips, bool carriagewayOnly)
 {
     double width = 0.0;
     for (const Strip& strip : strips)
-        if (!carriagewayOnly || strip.type == LaneType::driving) width += strip.widthM;
+        if (!carriagewayOnly || isOfPaving(strip)) width += strip.widthM;
     return width;
 }
 
@@ -123,8 +139,10 @@ std::vector<Grown> grown(const std::vector<Strip>& before, const std::vector<Str
     const auto rank = [](const Grown& lane)
     {
         return std::pair(lane.strip.type == LaneType::driving    ? (lane.strip.isShared ? 0 : 1)
-                         : lane.strip.type == LaneType::shoulder ? 2
-                                                                 : 3,
+                         : isOfPaving(lane.strip)                ? 2
+                         : lane.strip.type == LaneType::shoulder ? 3
+                         : lane.strip.type == LaneType::biking   ? 4
+                                                                 : 5,
                          lane.strip.order);
     };
     std::stable_sort(lanes.begin(), lanes.end(),
@@ -147,7 +165,9 @@ Lane laneOf(const Grown& grown, int id, double lengthM)
     if (grown.strip.isForBuses) lane.access.push_back({0.0, "allow", "bus"});
     if (grown.strip.speedKmh > 0.0)
         lane.speeds.push_back({0.0, grown.strip.speedKmh / foundation::kKmhPerMps});
-    if (lane.type == LaneType::sidewalk) lane.heights.push_back({0.0, kKerbM, kKerbM});
+    const bool isRaised =
+        lane.type == LaneType::sidewalk || (lane.type == LaneType::biking && !isOfPaving(grown.strip));
+    if (isRaised) lane.heights.push_back({0.0, kKerbM, kKerbM});
     return lane;
 }
 
@@ -217,10 +237,10 @@ LaneLayout layoutOf(const StreetTraits& traits)
 {
     LaneLayout layout;
     const auto [forwardKmh, backwardKmh] = traits.laneKmh();
-    layout.left = sideOf(
-        traits, {traits.backwardLanes, traits.backwardBusLanes, 0, traits.hasLeftSidewalk, backwardKmh});
+    layout.left = sideOf(traits, {traits.backwardLanes, traits.backwardBusLanes, 0, traits.hasLeftSidewalk,
+                                  backwardKmh, traits.leftCycles});
     layout.right = sideOf(traits, {traits.forwardLanes, traits.forwardBusLanes, traits.sharedLanes,
-                                   traits.hasRightSidewalk, forwardKmh});
+                                   traits.hasRightSidewalk, forwardKmh, traits.rightCycles});
     layout.centreMark = traits.hasCentreMark ? MarkType::broken : MarkType::none;
     if (traits.hasCentreMark && traits.forwardLanes + traits.backwardLanes > 3)
         layout.centreMark = MarkType::solidSolid;

@@ -5,8 +5,10 @@
 #include <charconv>
 #include <initializer_list>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <foundation/TagQuantity.h>
 
@@ -45,7 +47,7 @@ public:
     std::optional<int> lanes(const std::string& side) const
     {
         if (const auto told = count("lanes" + side)) return told;
-        for (const char* key : {"turn:lanes", "change:lanes", "width:lanes"})
+        for (const char* key : {"turn:lanes", "change:lanes", "width:lanes", "bus:lanes", "psv:lanes"})
             if (const std::string_view list = valueOf(_tags, key + side); !list.empty())
             {
                 const auto entries = 1 + std::count(list.begin(), list.end(), '|');
@@ -54,12 +56,46 @@ public:
         return std::nullopt;
     }
 
-    /// Lanes for buses of a direction, by number.
+    /// Lanes for buses of a direction: by number, or by the entries of lists that are theirs in any of them.
     int buses(const std::string& side) const
     {
         for (const char* key : {"lanes:psv", "lanes:bus"})
             if (const auto told = count(key + side)) return *told;
-        return 0;
+        std::set<std::size_t> theirs;
+        std::size_t most = 0;
+        for (const char* key : {"bus:lanes", "psv:lanes"})
+        {
+            const auto entries = listOf(key + side);
+            most = std::max(most, entries.size());
+            for (std::size_t i = 0; i < entries.size(); ++i)
+                if (entries[i] == "designated" || entries[i] == "official") theirs.insert(i);
+        }
+        // Lists count lanes for bicycles, too, which `lanes` does not.
+        const auto all = LaneTagReader(_tags, nullptr).count("lanes" + side); // told elsewhere
+        const int beyond = all ? std::max(0, static_cast<int>(most) - *all) : 0;
+        return std::max(0, static_cast<int>(theirs.size()) - beyond);
+    }
+
+    /// Whether a lane for buses runs on a side (`busway`): "right" or "left".
+    bool hasBusway(const char* side) const
+    {
+        const auto isLane = [&](const std::string& key) { return is(key, {"lane"}); };
+        return isLane("busway") || isLane("busway:both") || isLane(std::string("busway:") + side);
+    }
+
+    /// The entries of a list by lanes, "a|b".
+    std::vector<std::string_view> listOf(const std::string& key) const
+    {
+        std::vector<std::string_view> entries;
+        std::string_view rest = valueOf(_tags, key);
+        if (rest.empty()) return entries;
+        for (std::size_t bar = rest.find('|'); bar != std::string_view::npos; bar = rest.find('|'))
+        {
+            entries.push_back(rest.substr(0, bar));
+            rest.remove_prefix(bar + 1);
+        }
+        entries.push_back(rest);
+        return entries;
     }
 
     bool is(std::string_view key, std::initializer_list<std::string_view> values) const
@@ -86,6 +122,14 @@ bool hasBusesAgainst(const LaneTagReader& reader, const std::string& back)
     return reader.buses(back) > 0 || reader.has("bus:lanes" + back) || reader.has("psv:lanes" + back);
 }
 
+/// Takes lanes of `busway`, where no other tag tells lanes for buses: a direction keeps a lane for cars.
+void addBusway(bool hasOne, int& lanes, int& buses)
+{
+    if (!hasOne || buses > 0 || lanes == 0) return;
+    buses = 1;
+    lanes = std::max(lanes, 2);
+}
+
 LaneCounts onewayLanes(const LaneTagReader& reader, bool isAlong, int usual)
 {
     const std::string ahead = isAlong ? ":forward" : ":backward", back = isAlong ? ":backward" : ":forward";
@@ -99,6 +143,7 @@ LaneCounts onewayLanes(const LaneTagReader& reader, bool isAlong, int usual)
     lanes.forward = with.value_or(all ? std::max(1, *all - lanesBack) : usual);
     lanes.backward = lanes.backwardBus = lanesBack;
     lanes.forwardBus = std::max(reader.buses(ahead), reader.buses(""));
+    addBusway(reader.hasBusway("right") || reader.hasBusway("left"), lanes.forward, lanes.forwardBus);
     if (!isAlong) std::swap(lanes.forward, lanes.backward), std::swap(lanes.forwardBus, lanes.backwardBus);
     return lanes;
 }
@@ -124,6 +169,14 @@ LaneCounts twoWayLanes(const LaneTagReader& reader, int usual, bool isNarrow)
         lanes.forward = all ? (rest + 1) / 2 : usual, lanes.backward = all ? rest / 2 : usual;
     lanes.forwardBus = reader.buses(":forward");
     lanes.backwardBus = reader.buses(":backward");
+    if (lanes.forwardBus + lanes.backwardBus == 0) // of both directions together
+    {
+        const int buses = reader.buses("");
+        lanes.forwardBus = std::min((buses + 1) / 2, std::max(0, lanes.forward - 1));
+        lanes.backwardBus = std::min(buses / 2, std::max(0, lanes.backward - 1));
+    }
+    addBusway(reader.hasBusway("right"), lanes.forward, lanes.forwardBus);
+    addBusway(reader.hasBusway("left"), lanes.backward, lanes.backwardBus);
     return lanes;
 }
 
@@ -161,6 +214,48 @@ LaneCounts lanesOfTags(const Tags& tags, StreetDirection direction, int usual, b
     lanes.forwardBus = std::min(lanes.forwardBus, lanes.forward);
     lanes.backwardBus = std::min(lanes.backwardBus, lanes.backward);
     return lanes;
+}
+
+std::pair<CycleWay, CycleWay> cycleWaysOf(const Tags& tags, StreetDirection direction)
+{
+    const auto kindOf = [&](std::string_view key)
+    {
+        const std::string_view value = valueOf(tags, key);
+        if (isWordOf(value, {"lane", "opposite_lane"})) return CycleWay::lane;
+        return isWordOf(value, {"track", "opposite_track"}) ? CycleWay::track : CycleWay::none;
+    };
+    const auto sideOf = [&](std::string_view side, bool hasPlain)
+    {
+        for (const std::string_view key : {side, std::string_view("cycleway:both")})
+            if (const CycleWay kind = kindOf(key); kind != CycleWay::none) return kind;
+        return hasPlain && valueOf(tags, side).empty() ? kindOf("cycleway") : CycleWay::none;
+    };
+    const bool isOpposite = valueOf(tags, "cycleway").starts_with("opposite");
+    const bool isRightAlone = direction == StreetDirection::along && !isOpposite,
+               isLeftAlone = (direction == StreetDirection::along && isOpposite) ||
+                             (direction == StreetDirection::against && !isOpposite);
+    return {sideOf("cycleway:right", !isLeftAlone), sideOf("cycleway:left", !isRightAlone)};
+}
+
+std::vector<std::string> turnArrowsOf(const Tags& tags, StreetDirection direction, bool isForward, int lanes)
+{
+    const LaneTagReader reader(tags, nullptr);
+    const bool isOneway = direction == (isForward ? StreetDirection::along : StreetDirection::against);
+    auto entries = reader.listOf(isForward ? "turn:lanes:forward" : "turn:lanes:backward");
+    if (entries.empty() && isOneway) entries = reader.listOf("turn:lanes");
+    if (entries.empty() && lanes == 1 && isOneway) entries = reader.listOf("turn");
+    std::vector<std::string> arrows;
+    while (entries.size() > static_cast<std::size_t>(std::max(lanes, 0)) &&
+           (entries.back().empty() || entries.back() == "none"))
+        entries.pop_back(); // lanes for bicycles
+    if (lanes < 1 || entries.size() != static_cast<std::size_t>(lanes)) return arrows;
+    bool hasOne = false;
+    for (const std::string_view entry : entries)
+    {
+        arrows.emplace_back(entry == "none" ? std::string_view() : entry);
+        hasOne = hasOne || !arrows.back().empty();
+    }
+    return hasOne ? arrows : std::vector<std::string>();
 }
 
 } // namespace worldmaking

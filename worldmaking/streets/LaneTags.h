@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "worldmaking/map/TagCounts.h"
 
@@ -36,5 +40,22 @@ StreetDirection directionOf(const Tags& tags, std::string_view kind, TagCounts* 
 /// *Key:oneway*, *Key:busway*, *Lanes*.
 LaneCounts lanesOfTags(const Tags& tags, StreetDirection direction, int usual, bool isNarrow,
                        TagCounts* approximated = nullptr);
+
+/// How bicycles ride along a side of a street.
+enum class CycleWay : std::uint8_t
+{
+    none,
+    lane,  ///< a strip of the carriageway, beyond a line
+    track, ///< beside it, behind a kerb
+};
+
+/// Returns the cycle lanes of a street on its sides, seen along its way: right, left. Of a one-way street
+/// `cycleway` without a side is on the right. Source: the OpenStreetMap wiki, *Key:cycleway*.
+std::pair<CycleWay, CycleWay> cycleWaysOf(const Tags& tags, StreetDirection direction);
+
+/// Returns the arrows of the lanes of a direction from left to right, as `turn:lanes` has them ("left",
+/// "through;right", "": none). `isForward`: along the way. Nothing where the number of entries is not
+/// `lanes`. Source: the OpenStreetMap wiki, *Key:turn*.
+std::vector<std::string> turnArrowsOf(const Tags& tags, StreetDirection direction, bool isForward, int lanes);
 
 } // namespace worldmaking

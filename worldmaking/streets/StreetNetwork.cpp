@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "worldmaking/streets/TurnArrows.h"
+
 namespace worldmaking
 {
 
@@ -50,6 +52,7 @@ Road StreetNetwork::roadOf(std::size_t index, StreetReport& report) const
     road.laneOffset = std::move(lanes.offset);
     addKinds(index, road);
     addStructures(index, road, report);
+    addTurnArrows(_graph, chain, road);
     const auto linkOf = [&](int crossing)
     {
         RoadLink link;

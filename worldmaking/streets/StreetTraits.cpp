@@ -5,6 +5,7 @@
 #include <array>
 #include <initializer_list>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include <foundation/TagQuantity.h>
@@ -135,9 +136,14 @@ void setLanes(const Tags& tags, std::string_view kind, int usual, StreetTraits& 
     traits.sharedLanes = lanes.shared;
     traits.forwardBusLanes = lanes.forwardBus;
     traits.backwardBusLanes = lanes.backwardBus;
+    std::tie(traits.rightCycles, traits.leftCycles) = cycleWaysOf(tags, direction);
+    traits.forwardArrows = turnArrowsOf(tags, direction, true, lanes.forward);
+    traits.backwardArrows = turnArrowsOf(tags, direction, false, lanes.backward);
     if (traits.isSingleTrack()) traits.laneWidthM = kSingleTrackM;
     if (!pavingM) return;
-    const double eachM = *pavingM / (lanes.forward + lanes.backward + lanes.shared);
+    const auto stripM = [](CycleWay way) { return way == CycleWay::lane ? kCycleLaneM : 0.0; };
+    const double carsM = *pavingM - stripM(traits.leftCycles) - stripM(traits.rightCycles);
+    const double eachM = carsM / (lanes.forward + lanes.backward + lanes.shared);
     if (eachM >= kLeastLaneM && eachM <= kMostLaneM)
         traits.laneWidthM = eachM;
     else
@@ -164,6 +170,8 @@ StreetTraits StreetTraits::reversed() const
     std::swap(other.forwardBusLanes, other.backwardBusLanes);
     std::swap(other.forwardKmh, other.backwardKmh);
     std::swap(other.hasLeftSidewalk, other.hasRightSidewalk);
+    std::swap(other.leftCycles, other.rightCycles);
+    std::swap(other.forwardArrows, other.backwardArrows);
     return other;
 }
 
@@ -172,9 +180,10 @@ bool StreetTraits::hasSameLanes(const StreetTraits& other) const
     return forwardLanes == other.forwardLanes && backwardLanes == other.backwardLanes &&
            sharedLanes == other.sharedLanes && forwardBusLanes == other.forwardBusLanes &&
            backwardBusLanes == other.backwardBusLanes && laneKmh() == other.laneKmh() &&
-           laneWidthM == other.laneWidthM && shoulderM == other.shoulderM &&
-           hasLeftSidewalk == other.hasLeftSidewalk && hasRightSidewalk == other.hasRightSidewalk &&
-           hasCentreMark == other.hasCentreMark && hasEdgeMarks == other.hasEdgeMarks;
+           laneWidthM == other.laneWidthM && shoulderM == other.shoulderM && leftCycles == other.leftCycles &&
+           rightCycles == other.rightCycles && hasLeftSidewalk == other.hasLeftSidewalk &&
+           hasRightSidewalk == other.hasRightSidewalk && hasCentreMark == other.hasCentreMark &&
+           hasEdgeMarks == other.hasEdgeMarks;
 }
 
 bool isClosedStreet(const Tags& tags)

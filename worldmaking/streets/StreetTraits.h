@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "worldmaking/map/StreetMap.h"
 #include "worldmaking/map/TagCounts.h"
+#include "worldmaking/streets/LaneTags.h"
 #include "worldmaking/streets/WayLevel.h"
 
 namespace worldmaking
@@ -27,6 +29,9 @@ struct StreetTraits
     double laneWidthM = 2.75;
     double shoulderM = 0.0;
     bool hasLeftSidewalk = false, hasRightSidewalk = false;
+    CycleWay leftCycles = CycleWay::none, rightCycles = CycleWay::none;
+    /// painted before crossings, from left to right as a driver sees the lanes; empty: none
+    std::vector<std::string> forwardArrows, backwardArrows;
     bool hasCentreMark = false, hasEdgeMarks = false;
     double speedKmh = 50.0;                       ///< the greater of both directions
     double forwardKmh = 50.0, backwardKmh = 50.0; ///< of each
@@ -49,6 +54,8 @@ struct StreetTraits
     /// Whether both have the same lanes, so that no lane begins or ends between them.
     bool hasSameLanes(const StreetTraits& other) const;
 };
+
+inline constexpr double kCycleLaneM = 1.5; ///< of the paving
 
 /// Returns the traits of a way; nothing for one that cars cannot or must not use (footpaths, tracks, closed
 /// and planned roads). Numbers that a tag lacks or has wrong are those of its class. `approximated`: counts

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lanes of tags in a network: single tracks, lanes for turns in the middle, buses against a one-way street.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -201,4 +206,147 @@ TEST(StreetLanes, SpeedsOfBothDirectionsStandWithTheirLanes)
     ASSERT_FALSE(section.right.front().speeds.empty());
     EXPECT_NEAR(*section.right.front().speeds.front().metresPerSecond, 70.0 / 3.6, 1e-6);
     EXPECT_NEAR(*section.left.front().speeds.front().metresPerSecond, 13.4112, 1e-6);
+}
+
+TEST(StreetLanes, LanesForBusesFollowEachWayOfTellingThem)
+{
+    using TagList = std::initializer_list<std::pair<const char*, const char*>>;
+    const auto expect = [](const TagList& tags, int left, int right, int forBuses)
+    {
+        const Paving paving = pavingOf(tags);
+        EXPECT_EQ((std::array{paving.left, paving.right, paving.forBuses}),
+                  (std::array{left, right, forBuses}))
+            << (tags.end() - 1)->first;
+    };
+    expect({{"highway", "primary"}, {"lanes", "4"}, {"busway", "lane"}}, 2, 2, 2);
+    expect({{"highway", "primary"}, {"lanes", "2"}, {"busway:right", "lane"}}, 1, 2, 1);
+    expect({{"highway", "primary"}, {"lanes", "1"}, {"oneway", "yes"}, {"busway:right", "lane"}}, 0, 2, 1);
+    expect({{"highway", "primary"}, {"lanes", "4"}, {"lanes:psv", "2"}}, 2, 2, 2);
+    expect({{"highway", "primary"}, {"lanes", "3"}, {"oneway", "yes"}, {"bus:lanes", "yes|yes|designated"}},
+           0, 3, 1);
+    expect({{"highway", "primary"},
+            {"lanes", "5"},
+            {"oneway", "yes"},
+            {"psv:lanes", "yes|yes|yes|designated|no"},
+            {"bus:lanes", "yes|yes|yes|designated|designated"}},
+           0, 5, 2);
+    expect({{"highway", "primary"},
+            {"lanes", "4"},
+            {"lanes:forward", "3"},
+            {"lanes:backward", "1"},
+            {"bicycle:lanes:forward", "yes|yes|yes|designated"},
+            {"bus:lanes:forward", "yes|yes|designated|designated"}},
+           1, 3, 1);
+    expect({{"highway", "primary"}, {"lanes", "2"}, {"oneway", "yes"}, {"oneway:psv", "no"}}, 1, 1, 1);
+    expect({{"highway", "primary"}, {"lanes", "4"}, {"bus:lanes:backward", "|designated"}}, 2, 2, 1);
+}
+
+/// The strips for bicycles of a road: left and right, raised ones by -1.
+std::pair<int, int> cyclesOf(const Road& road)
+{
+    std::pair<int, int> strips;
+    for (const auto& [side, count] : {std::pair(&road.sections.front().left, &strips.first),
+                                      {&road.sections.front().right, &strips.second}})
+        for (const Lane& lane : *side)
+            if (lane.type == LaneType::biking) *count = lane.heights.empty() ? 1 : -1;
+    return strips;
+}
+
+TEST(StreetLanes, CycleLanesAreStripsOfThePavingAndTracksLieBehindTheKerb)
+{
+    using TagList = std::initializer_list<std::pair<const char*, const char*>>;
+    const auto expect = [](const TagList& tags, int left, int right)
+    {
+        MadeMap map;
+        const int a = map.node(-100, 0), b = map.node(0, 0), c = map.node(100, 0);
+        map.way({a, b}, tags);
+        map.way({b, c}, {{"highway", "secondary"}});
+        map.way({b, map.node(0, 100)});
+        const RoadNetwork network = networkOf(map);
+        EXPECT_EQ(cyclesOf(network.roads.front()), std::pair(left, right)) << (tags.end() - 1)->first;
+        expectSound(network);
+    };
+    expect({{"highway", "secondary"}, {"width", "10"}, {"cycleway", "lane"}}, 1, 1);
+    expect({{"highway", "secondary"}, {"cycleway:right", "lane"}}, 0, 1);
+    expect({{"highway", "secondary"}, {"cycleway:right", "no"}, {"cycleway:left", "track"}}, -1, 0);
+    expect({{"highway", "residential"}, {"cycleway:both", "track"}}, -1, -1);
+    expect({{"highway", "residential"}, {"oneway", "yes"}, {"cycleway", "lane"}}, 0, 1);
+    expect({{"highway", "residential"}, {"oneway", "yes"}, {"cycleway", "opposite_lane"}}, 1, 0);
+    expect({{"highway", "residential"}, {"cycleway", "shared_lane"}}, 0, 0);
+    MadeMap wide;
+    wide.way({wide.node(-100, 0), wide.node(100, 0)},
+             {{"highway", "secondary"}, {"cycleway", "lane"}, {"width", "10"}});
+    EXPECT_NEAR(pavingOf(networkOf(wide).roads.front()).widthM, 7.0, 1e-6) << "10 m less two strips";
+}
+
+/// The arrows of a road, by their distance from its end and their place across.
+std::vector<std::string> arrowsOf(const Road& road)
+{
+    std::vector<std::pair<std::pair<double, double>, std::string>> found;
+    for (const RoadObject& object : road.objects)
+        if (object.type == "roadMark")
+            found.push_back({{road.length - object.s, -object.t}, object.subtype + object.orientation});
+    std::sort(found.begin(), found.end());
+    std::vector<std::string> names;
+    for (const auto& [at, name] : found)
+        names.push_back(name);
+    return names;
+}
+
+TEST(StreetLanes, ArrowsStandOnLanesBeforeCrossingsAndNowhereElse)
+{
+    using TagList = std::initializer_list<std::pair<const char*, const char*>>;
+    const auto crossing = [](const TagList& tags, bool isToEast = true)
+    {
+        MadeMap map;
+        const int a = map.node(-100, 0), b = map.node(0, 0), c = map.node(100, 0);
+        map.way(isToEast ? std::vector{a, b} : std::vector{b, a}, tags);
+        map.way({b, c}, {{"highway", "secondary"}});
+        map.way({b, map.node(0, 100)});
+        const RoadNetwork network = networkOf(map);
+        expectSound(network);
+        return arrowsOf(network.roads.front());
+    };
+    const auto oneway = crossing({{"highway", "primary"},
+                                  {"oneway", "yes"},
+                                  {"lanes", "3"},
+                                  {"turn:lanes", "left|through|through;right"}});
+    EXPECT_EQ(oneway, (std::vector<std::string>{"arrowLeft+", "arrowStraight+", "arrowStraightRight+",
+                                                "arrowLeft+", "arrowStraight+", "arrowStraightRight+"}));
+    EXPECT_EQ(
+        crossing(
+            {{"highway", "primary"}, {"lanes", "3"}, {"lanes:forward", "2"}, {"turn:lanes:forward", "left|"}})
+            .size(),
+        2u);
+    EXPECT_EQ(crossing({{"highway", "primary"},
+                        {"lanes", "3"},
+                        {"lanes:backward", "2"},
+                        {"turn:lanes:backward", "left|through"}},
+                       false)
+                  .size(),
+              4u)
+        << "drawn away from the crossing";
+    EXPECT_EQ(crossing({{"highway", "primary"},
+                        {"lanes", "3"},
+                        {"lanes:backward", "2"},
+                        {"turn:lanes:backward", "left|through"}})
+                  .size(),
+              0u)
+        << "at a dead end";
+    EXPECT_EQ(
+        crossing(
+            {{"highway", "primary"}, {"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "left|through|right"}})
+            .size(),
+        0u)
+        << "one too many";
+    EXPECT_EQ(crossing({{"highway", "primary"},
+                        {"oneway", "yes"},
+                        {"lanes", "2"},
+                        {"turn:lanes", "slight_left|merge_to_left|"}}),
+              (std::vector<std::string>{"arrowLeft+", "arrowMergeLeft+", "arrowLeft+", "arrowMergeLeft+"}))
+        << "the last entry is a lane for bicycles";
+    EXPECT_EQ(
+        crossing({{"highway", "primary"}, {"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "none|none"}})
+            .size(),
+        0u);
 }

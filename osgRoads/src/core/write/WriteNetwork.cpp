@@ -35,7 +35,15 @@ std::string unwritten(const Road& road)
 {
     if (!road.crossfall.leftRad.isEmpty() || !road.crossfall.rightRad.isEmpty()) return "a crossfall";
     if (!road.shapes.empty()) return "a shape";
-    if (!road.objects.empty()) return "an object";
+    const auto isUnwritten = [](const RoadObject& object)
+    {
+        return !object.outlines.empty() || !object.repeats.empty() || !object.markings.empty() ||
+               !object.validities.empty() || object.radius > 0.0 || object.pitchRad != 0.0 ||
+               object.rollRad != 0.0 || object.isDynamic || object.validLength != 0.0 ||
+               !object.parkingAccess.empty() || object.isPerpendicularToRoad;
+    };
+    if (std::any_of(road.objects.begin(), road.objects.end(), isUnwritten))
+        return "an object with outlines, repeats, marks or lanes of its own";
     if (!road.signals.empty() || !road.signalReferences.empty()) return "a signal";
     for (const LaneSection& section : road.sections)
         if (hasUnwrittenLane(section.left) || hasUnwrittenLane(section.right) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source: ASAM OpenDRIVE 1.7, 8 (roads), 13.12 and 13.13 (tunnels, bridges).
+// Source: ASAM OpenDRIVE 1.7, 8 (roads), 13.1 (objects), 13.12 and 13.13 (tunnels, bridges).
 #include "ElementWriters.h"
 #include "XmlFields.h"
 
@@ -33,11 +33,30 @@ void writeKinds(pugi::xml_node roadNode, const std::vector<RoadKind>& kinds)
     }
 }
 
-void writeStructures(pugi::xml_node roadNode, const std::vector<RoadStructure>& structures)
+void writeObject(pugi::xml_node objects, const RoadObject& object)
 {
-    if (structures.empty()) return;
+    const pugi::xml_node node = objects.append_child("object");
+    set(node, "id", object.id);
+    set(node, "name", object.name);
+    set(node, "type", object.type);
+    set(node, "subtype", object.subtype);
+    set(node, "s", object.s);
+    set(node, "t", object.t);
+    set(node, "zOffset", object.zOffset);
+    set(node, "orientation", object.orientation == '0' ? "none" : std::string(1, object.orientation));
+    set(node, "hdg", object.headingRad);
+    set(node, "length", object.length);
+    set(node, "width", object.width);
+    set(node, "height", object.height);
+}
+
+void writeObjects(pugi::xml_node roadNode, const Road& road)
+{
+    if (road.structures.empty() && road.objects.empty()) return;
     pugi::xml_node objects = roadNode.append_child("objects");
-    for (const RoadStructure& structure : structures)
+    for (const RoadObject& object : road.objects)
+        writeObject(objects, object);
+    for (const RoadStructure& structure : road.structures)
     {
         const bool isTunnel = structure.kind == StructureKind::tunnel;
         const pugi::xml_node node = objects.append_child(isTunnel ? "tunnel" : "bridge");
@@ -70,7 +89,7 @@ void writeRoad(pugi::xml_node root, const Road& road)
     writeProfile(node.append_child("elevationProfile"), "elevation", "s", road.elevation);
     writeProfile(node.append_child("lateralProfile"), "superelevation", "s", road.superelevationRad);
     writeLanes(node, road);
-    writeStructures(node, road.structures);
+    writeObjects(node, road);
 }
 
 } // namespace osgRoads::core
