@@ -141,17 +141,20 @@ void tellOfMap(const WholeMap& map, const std::string& name, nlohmann::ordered_j
     const worldmaking::JoinReport& joined = map.joined;
     if (joined.isJoined || joined.files > 1)
     {
-        report["map"] = {{"files", joined.files},
-                         {"objects", joined.objects},
-                         {"repeated", joined.repeated},
-                         {"deleted", joined.deleted},
-                         {"renumbered", joined.renumbered}};
+        report["map"] = {{"files", joined.files},           {"objects", joined.objects},
+                         {"repeated", joined.repeated},     {"deleted", joined.deleted},
+                         {"renumbered", joined.renumbered}, {"middles", joined.middles}};
         const std::string done =
             joined.files == 1 ? "put in order" : "joined from " + std::to_string(joined.files) + " files";
         std::cerr << "worldtool: " << name << ": " << done << "; " << joined.repeated
                   << " states of objects are repeated or older, " << joined.deleted
                   << " objects are deleted\n";
     }
+    if (joined.middles > 0)
+        std::cerr
+            << "worldtool: " << name << ": " << joined.middles
+            << " ways and relations have a middle alone (Overpass, out center) and are passed over; ask "
+               "Overpass for out geom\n";
     const worldmaking::TagReport tags = worldmaking::tagReportOf(map.land);
     report["tags"] = {{"passedOver", tags.passedOver}, {"approximated", tags.approximated}};
     const auto tell = [&](const worldmaking::TagCounts& counts, const char* what)

@@ -7,15 +7,20 @@
 #include <limits>
 #include <map>
 #include <new>
+#include <set>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 #include <foundation/ReadableFile.h>
+#include <foundation/WholeFile.h>
 #include <osmium/builder/osm_object_builder.hpp>
 #include <osmium/io/any_input.hpp>
+#include <osmium/io/detail/read_write.hpp>
 #include <osmium/io/pbf_output.hpp>
 
 #include "worldmaking/map/OsmMarks.h"
@@ -38,6 +43,7 @@ struct State
     std::uint32_t place = 0; ///< among all states
     std::uint32_t weight = 0;
     bool isChange = false, isDeleted = false;
+    bool hasMiddle = false; ///< the file gives its middle (Overpass, `out center`)
 
     auto order() const
     {
@@ -79,6 +85,51 @@ private:
     std::map<std::tuple<std::uint32_t, osmium::item_type, std::int64_t>, std::int64_t> _known;
 };
 
+/// A copy of a file of XML without the middles of objects, which libosmium refuses; it goes with this object.
+/// Throws where the file cannot be read.
+class FileWithoutMiddles
+{
+public:
+    FileWithoutMiddles(const osmium::io::File& file, const std::filesystem::path& beside)
+        : _path(beside.string() + ".part-whole.osm")
+    {
+        const int descriptor = osmium::io::detail::open_for_reading(file.filename());
+        const auto unpacked =
+            osmium::io::CompressionFactory::instance().create_decompressor(file.compression(), descriptor);
+        std::string text;
+        for (std::string piece = unpacked->read(); !piece.empty(); piece = unpacked->read())
+            text += piece;
+        unpacked->close();
+        std::string kept;
+        std::size_t from = 0;
+        for (std::size_t at = text.find("<center"); at != std::string::npos; at = text.find("<center", from))
+        {
+            kept.append(text, from, at - from);
+            const std::size_t end = text.find('>', at);
+            if (end == std::string::npos) break;
+            const std::string close = "</center>";
+            const bool isEmpty = text[end - 1] == '/';
+            const std::size_t last = isEmpty ? end + 1 : text.find(close, end) + close.size();
+            from = std::max(last, end + 1);
+        }
+        kept.append(text, from);
+        const auto written = foundation::writeWholeFile(_path, kept);
+        if (!written) throw std::runtime_error(written.error().message());
+    }
+    ~FileWithoutMiddles()
+    {
+        std::error_code ignored;
+        std::filesystem::remove(_path, ignored);
+    }
+    FileWithoutMiddles(const FileWithoutMiddles&) = delete;
+    FileWithoutMiddles& operator=(const FileWithoutMiddles&) = delete;
+
+    osmium::io::File file() const { return osmium::io::File(_path.string()); }
+
+private:
+    std::filesystem::path _path;
+};
+
 /// Collects the states of objects from files, and writes those that stay.
 class OsmJoiner
 {
@@ -112,6 +163,7 @@ public:
         writer.close();
         report.files = _files;
         report.objects = _states.size();
+        report.middles = middles();
         report.renumbered = _renumbered;
         report.isJoined = true;
     }
@@ -129,6 +181,7 @@ private:
         if (state.version == 0 && state.isChange) state.version = std::numeric_limits<std::uint32_t>::max();
         state.place = static_cast<std::uint32_t>(_states.size());
         state.weight = weightOf(object);
+        state.hasMiddle = marks.centred.contains(key);
         if (object.id() > 0) _ids.raise(object.type(), object.id());
         _states.push_back(state);
     }
@@ -156,6 +209,31 @@ private:
                 kept.push_back(state);
         }
         _states = std::move(kept);
+    }
+
+    /// How many ways and relations with a middle have nothing else: none of their nodes, or of their ways.
+    std::size_t middles() const
+    {
+        if (std::none_of(_states.begin(), _states.end(), [](const State& state) { return state.hasMiddle; }))
+            return 0;
+        std::set<std::int64_t> nodes, placed;
+        for (const State& state : _states)
+            if (state.object->type() == osmium::item_type::node) nodes.insert(state.object->id());
+        std::size_t count = 0;
+        for (const State& state : _states) // ways come before relations
+        {
+            bool hasPlace = false;
+            if (state.object->type() == osmium::item_type::way)
+                for (const auto& node : static_cast<const osmium::Way&>(*state.object).nodes())
+                    hasPlace = hasPlace || node.location().valid() || nodes.contains(node.ref());
+            if (state.object->type() == osmium::item_type::relation)
+                for (const auto& member : static_cast<const osmium::Relation&>(*state.object).members())
+                    hasPlace = hasPlace ||
+                               (member.type() == osmium::item_type::way && placed.contains(member.ref()));
+            if (hasPlace && state.object->type() == osmium::item_type::way) placed.insert(state.object->id());
+            count += state.hasMiddle && !hasPlace ? 1 : 0;
+        }
+        return count;
     }
 
     /// The nodes, and those that only stand within ways.
@@ -298,7 +376,10 @@ foundation::Result<std::filesystem::path> join(const std::vector<MapSource>& sou
             report.files = 1;
             return std::filesystem::path(source.file);
         }
-        joiner.read(file, marks);
+        if (marks.centred.empty())
+            joiner.read(file, marks);
+        else
+            joiner.read(FileWithoutMiddles(file, joined).file(), marks);
     }
     reading.name = joined.string();
     joiner.write(joined, report);

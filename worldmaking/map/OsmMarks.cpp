@@ -75,6 +75,7 @@ private:
     void begin(std::string_view name, const char** attributes)
     {
         if (name == "osmChange") _marks.isPlain = false;
+        if (name == "center") _marks.isPlain = false, _marks.centred.insert(_object);
         const bool isPlace = name == "nd";
         if (!isPlace && name != "node" && name != "way" && name != "relation") return;
         std::int64_t id = 0;
@@ -90,6 +91,7 @@ private:
         }
         if (isPlace) return;
         const OsmKey object(name.front(), id);
+        _object = object;
         if (action == "delete") _marks.deleted.insert(object);
         if (action == "modify") _marks.changed.insert(object);
         const bool isPlain = _order.take(object.first, id, isVisible && action != "delete");
@@ -98,6 +100,7 @@ private:
 
     OsmMarks& _marks;
     PlainOrder _order;
+    OsmKey _object{'n', 0}; ///< the last one
     std::unique_ptr<std::remove_pointer_t<XML_Parser>, ParserFree> _parser;
 };
 

@@ -18,6 +18,7 @@ struct OsmMarks
 {
     bool isPlain = true;               ///< each object once, by type and id, ids above 0, none deleted
     std::set<OsmKey> deleted, changed; ///< by their attribute `action`
+    std::set<OsmKey> centred;          ///< ways and relations with a middle (Overpass, `out center`)
 };
 
 /// Reads the marks of a file; of XML all of it, of other formats what its header and its objects tell. Throws

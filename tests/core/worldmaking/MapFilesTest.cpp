@@ -167,6 +167,36 @@ TEST(MapFiles, NodesMayStandWithinWays)
     EXPECT_EQ(joined.shapes, (Names{"geom"}));
 }
 
+TEST(MapFiles, MiddlesOfWaysAndRelationsArePassedOverAndCounted)
+{
+    const TestFolder folder("maps");
+    const std::string middle = "<center lat='42.5' lon='1.5005'/>";
+    const std::string whole = node(1, 0) + node(2, 1) + node(3, 2) + way(1, {1, 2}, "a");
+    const std::string alone = "<way id='7'>" + middle + "<tag k='building' v='yes'/></way>",
+                      refs = "<way id='8'>" + middle +
+                             "<nd ref='81'/><nd ref='82'/><tag k='highway' v='path'/></way>",
+                      closed = "<way id='9'><center lat='42.5' lon='1.5'></center><nd ref='2'/><nd ref='3'/>"
+                               "<tag k='highway' v='service'/><tag k='name' v='b'/></way>",
+                      lake = "<relation id='4'>" + middle +
+                             "<member type='way' ref='77' role='outer'/>"
+                             "<tag k='natural' v='water'/></relation>",
+                      bare = "<relation id='5'>" + middle + "<tag k='route' v='bus'/></relation>";
+    const std::pair<std::string, std::size_t> texts[] = {{whole + alone, 1},
+                                                         {whole + refs, 1},
+                                                         {whole + closed, 0},
+                                                         {whole + lake, 1},
+                                                         {whole + alone + refs + closed + lake + bare, 4}};
+    for (const auto& [text, middles] : texts)
+    {
+        const auto joined = joinedOf(folder, {folder.write("center.osm", osm(text))});
+        EXPECT_EQ(joined.error, "");
+        EXPECT_EQ(joined.report.middles, middles);
+        EXPECT_EQ(joined.streets.count("a"), 1u);
+        EXPECT_EQ(joined.streets.count("b"), text.find("'b'") == std::string::npos ? 0u : 1u);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "joined.osm.pbf.part-whole.osm"));
+}
+
 TEST(MapFiles, ChangesAreMadeToTheMapAndStandAlone)
 {
     const TestFolder folder("maps");
