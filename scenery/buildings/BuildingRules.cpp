@@ -182,6 +182,19 @@ void setHeights(Building& building, std::string_view kind, double areaM2, const 
     if (isOneOf(kind, kSacred) && !numberOf(tags, "building:levels", 1.0, 100.0)) building.eavesM = 7.0;
 }
 
+/// Where a part begins above the ground: its height, or that of the storeys below it.
+double lowestOf(const Building& building, const BuildingTags& tags)
+{
+    if (const auto lowM = metresOf(tags, "min_height", 0.0, 900.0)) return *lowM;
+    for (const std::string_view key : {"building:min_level", "min_level"})
+        if (const auto level = numberOf(tags, key, 0.0, 200.0))
+        {
+            const bool hasLevels = numberOf(tags, "building:levels", 1.0, 100.0).has_value();
+            return *level * (hasLevels ? building.eavesM / building.storeys : kStoreyM);
+        }
+    return 0.0;
+}
+
 } // namespace
 
 std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, const BuildingTags& tags,
@@ -204,7 +217,7 @@ std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, c
         const bool hasLevels = numberOf(tags, "building:levels", 1.0, 100.0).has_value();
         if (!hasLevels) building.storeys = std::max(1, static_cast<int>(building.eavesM / kStoreyM));
     }
-    const double lowM = numberOf(tags, "min_height", 0.0, 900.0).value_or(0.0);
+    const double lowM = lowestOf(building, tags);
     if (lowM < building.eavesM) building.liftedM = lowM;
     building.openings = openingsOf(kind, tags);
     building.hasShop = kind == "retail" || kind == "supermarket" || !valueOf(tags, "shop").empty();

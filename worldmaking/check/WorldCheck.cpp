@@ -116,7 +116,10 @@ private:
             grid.near(box,
                       [&](std::size_t other)
                       {
-                          const PlanRings& its = _things.houses[other].building.rings;
+                          // a part that begins above the ground lies over others
+                          const auto& above = _things.houses[other].building;
+                          if (house.building.liftedM > 0.0 || above.liftedM > 0.0) return;
+                          const PlanRings& its = above.rings;
                           const double most =
                               std::max(kMostOverlapM2, kMostOverlap * std::min(area, scenery::areaOf(its)));
                           // The frames of placement and of the scene differ by less than a hundredth.

@@ -14,6 +14,7 @@
 
 #include "scenery/buildings/BuildingRules.h"
 #include "scenery/buildings/Outline.h"
+#include "worldmaking/land/HouseParts.h"
 #include "worldmaking/land/Passages.h"
 #include "worldmaking/land/PlanGrid.h"
 #include "worldmaking/land/Waters.h"
@@ -52,7 +53,9 @@ void partOverlapping(std::vector<House>& houses, HouseReport& report)
         grid.near(boxOf(rings.front()),
                   [&](std::size_t other)
                   {
-                      if (stays[i] && commonAreaOf(rings, houses[other].building.rings) > most) stays[i] = 0;
+                      const bool isOne = houses[i].whole != 0 && houses[i].whole == houses[other].whole;
+                      if (!isOne && stays[i] && commonAreaOf(rings, houses[other].building.rings) > most)
+                          stays[i] = 0;
                   });
         if (stays[i])
             grid.add(i, boxOf(rings.front()));
@@ -74,7 +77,17 @@ public:
     {
     }
 
-    void take(const LandShape& shape, std::vector<House>& houses)
+    /// `wholeId`: of the building that it is a part of, or 0.
+    void take(const LandShape& shape, std::int64_t wholeId, std::vector<House>& houses)
+    {
+        const std::size_t before = houses.size();
+        takeShape(shape, houses);
+        for (std::size_t i = before; i < houses.size(); ++i)
+            houses[i].whole = wholeId;
+    }
+
+private:
+    void takeShape(const LandShape& shape, std::vector<House>& houses)
     {
         ++_report.read;
         const auto rings = shape.form == ShapeForm::area ? _plane.toPlan(shape.paths) : std::nullopt;
@@ -99,7 +112,6 @@ public:
             takePart(part, over, *whole, houses);
     }
 
-private:
     /// Takes a part of a house, in the colours of the whole.
     void takePart(LandShape part, const PlanRings& rings, const scenery::Building& whole,
                   std::vector<House>& houses)
@@ -164,15 +176,6 @@ private:
     HouseReport& _report;
 };
 
-bool isHouse(const LandShape& shape)
-{
-    if (shape.form == ShapeForm::line) return false;
-    if (shape.form == ShapeForm::point)
-        return scenery::towerOf(shape.paths.front().front(), shape.tags, 0).has_value();
-    const std::string_view kind = valueOf(shape.tags, "building");
-    return !kind.empty() && kind != "no";
-}
-
 } // namespace
 
 double commonAreaOf(const PlanRings& a, const PlanRings& b)
@@ -196,8 +199,11 @@ std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const Hou
 {
     HouseTaker taker(map, plane, room, report);
     std::vector<House> houses;
+    for (const HouseShape& area : houseShapesOf(map, plane, report.parts))
+        taker.take(area.shape, area.whole, houses);
     for (const LandShape& shape : map.shapes)
-        if (isHouse(shape)) taker.take(shape, houses);
+        if (shape.form == ShapeForm::point && scenery::towerOf(shape.paths.front().front(), shape.tags, 0))
+            taker.take(shape, 0, houses);
     partOverlapping(houses, report);
     for (const House& house : houses)
         ++(house.shape.form == ShapeForm::point ? report.towers : report.standing);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -19,6 +20,7 @@ struct House
 {
     LandShape shape; ///< as the map has it, its outline perhaps cut back (degrees)
     scenery::Building building;
+    std::int64_t whole = 0; ///< the id of the building that it is a part of; 0: it is none
 };
 
 /// What became of a map's buildings.
@@ -31,6 +33,7 @@ struct HouseReport
     std::size_t onRunway = 0;    ///< left out: they reach onto a runway's strip
     std::size_t inWater = 0;     ///< left out: their middle lies in water
     std::size_t passages = 0;    ///< houses that a street runs through
+    std::size_t parts = 0;       ///< of buildings (building:part)
     std::size_t standing = 0, towers = 0;
 };
 
@@ -45,10 +48,10 @@ struct HouseRoom
     HasGround hasGround;
 };
 
-/// Takes the buildings (key `building`) and towers of a map that can stand: none within kHouseRoomM of a
-/// lane, none on a runway, none over another, none in water. Larger ones come first where two overlap.
-/// A house with a passage (Passages.h) becomes the parts beside the street, and one over it from kPassageM
-/// up.
+/// Takes the buildings and their parts (keys `building`, `building:part`: HouseParts.h) and towers of a map
+/// that can stand: none within kHouseRoomM of a lane, none on a runway, none over another but of one
+/// building, none in water. Larger ones come first where two overlap. A house with a passage (Passages.h)
+/// becomes the parts beside the street, and one over it from kPassageM up.
 /// Sources: as scenery::buildingOf().
 std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const HouseRoom& room,
                             HouseReport& report);

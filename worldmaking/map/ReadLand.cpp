@@ -92,9 +92,11 @@ private:
         }
         else if (type == wkbLineString)
         {
-            shape.form = ShapeForm::line;
-            shape.paths.push_back(pathOf(*geometry.toLineString(), false));
-            keep(std::move(shape), toWgs84, 2);
+            // GDAL takes closed ways as lines where it does not know that their tags mean areas.
+            const bool isRing = geometry.toLineString()->get_IsClosed() && isAreaByTags(shape.tags);
+            shape.form = isRing ? ShapeForm::area : ShapeForm::line;
+            shape.paths.push_back(pathOf(*geometry.toLineString(), isRing));
+            keep(std::move(shape), toWgs84, isRing ? 3 : 2);
         }
         else if (type == wkbPolygon)
         {
@@ -108,6 +110,12 @@ private:
                 add(*part, like, toWgs84, depth + 1);
         else
             ++map.unusable;
+    }
+
+    static bool isAreaByTags(const Tags& tags)
+    {
+        const std::string_view part = valueOf(tags, "building:part");
+        return (!part.empty() && part != "no") || valueOf(tags, "waterway") == "riverbank";
     }
 
     static std::vector<glm::dvec2> pathOf(const OGRSimpleCurve& curve, bool isRing)

@@ -71,6 +71,77 @@ TEST(Houses, OneThatReachesOntoTheStreetIsCutBack)
     EXPECT_GT(scenery::areaOf(built.houses[0].building.rings), 80.0);
 }
 
+/// Adds an area with tags. `at`: its corner; `sizeM`: east and north.
+void addBox(MadeMap& map, const glm::dvec2& at, const glm::dvec2& sizeM,
+            std::initializer_list<std::pair<const char*, const char*>> tags)
+{
+    const int a = map.node(at.x, at.y), b = map.node(at.x + sizeM.x, at.y),
+              c = map.node(at.x + sizeM.x, at.y + sizeM.y), d = map.node(at.x, at.y + sizeM.y);
+    map.way({a, b, c, d, a}, tags);
+}
+
+/// The lowest and highest height of the building over a place, and how many there are.
+struct Standing
+{
+    double lowM = 1e9, topM = 0.0, areaM2 = 0.0;
+    std::size_t count = 0;
+
+    explicit Standing(const std::vector<House>& houses)
+    {
+        for (const House& house : houses)
+        {
+            ++count;
+            lowM = std::min(lowM, house.building.liftedM);
+            topM = std::max(topM, house.building.eavesM + house.building.roofM);
+            areaM2 += scenery::areaOf(house.building.rings);
+        }
+    }
+};
+
+TEST(Houses, PartsTakeThePlaceOfTheirBuilding)
+{
+    Village all; // parts cover all of it
+    addBox(all.map, {0, 20}, {40, 20}, {{"building", "office"}, {"height", "60"}});
+    addBox(all.map, {0, 20}, {20, 20}, {{"building:part", "yes"}, {"height", "10 m"}});
+    addBox(all.map, {20, 20}, {20, 20}, {{"building:part", "yes"}, {"height", "82 ft"}});
+    const Built whole(all);
+    EXPECT_EQ(Standing(whole.houses).count, 2u);
+    EXPECT_NEAR(Standing(whole.houses).topM, 25.0, 0.01) << "not the outline's 60 m";
+    EXPECT_EQ(whole.report.parts, 2u);
+    Village some; // a part covers a quarter
+    addBox(some.map, {0, 20}, {40, 20}, {{"building", "yes"}, {"height", "9"}, {"roof:shape", "flat"}});
+    addBox(some.map, {0, 20}, {10, 20}, {{"building:part", "yes"}, {"building:levels", "10"}});
+    const Built left(some);
+    EXPECT_EQ(Standing(left.houses).count, 2u);
+    EXPECT_NEAR(Standing(left.houses).areaM2, 800.0, 6.0) << "what the part leaves stays, none twice";
+    Village stacked; // a tower on a base, and one that crosses it without a lower end
+    addBox(stacked.map, {0, 20}, {40, 20}, {{"building", "yes"}, {"height", "30"}});
+    addBox(stacked.map, {0, 20}, {40, 20}, {{"building:part", "yes"}, {"height", "6"}});
+    addBox(stacked.map, {5, 25}, {10, 10},
+           {{"building:part", "yes"}, {"min_height", "6 m"}, {"height", "30"}});
+    addBox(stacked.map, {25, 25}, {10, 10}, {{"building:part", "yes"}, {"height", "20"}});
+    const Built tower(stacked);
+    EXPECT_EQ(Standing(tower.houses).count, 3u);
+    EXPECT_NEAR(Standing(tower.houses).areaM2, 900.0, 6.0) << "the base ends below the third";
+    EXPECT_EQ(tower.report.overlapping, 0u);
+    Village alone; // without an outline, and a bridge between two houses
+    addBox(alone.map, {0, 20}, {10, 10},
+           {{"building:part", "yes"}, {"building:levels", "7"}, {"building:min_level", "4"}});
+    addBox(alone.map, {30, 20}, {10, 10}, {{"building:part", "no"}});
+    const Standing one(Built(alone).houses);
+    EXPECT_EQ(one.count, 1u);
+    EXPECT_NEAR(one.lowM, 12.0, 0.6) << "four storeys";
+    Village inherits;
+    addBox(inherits.map, {0, 20}, {40, 20},
+           {{"building", "yes"}, {"height", "33"}, {"building:colour", "#ff0000"}});
+    addBox(inherits.map, {0, 20}, {40, 20}, {{"building:part", "yes"}});
+    const Built same(inherits);
+    ASSERT_EQ(same.houses.size(), 1u);
+    EXPECT_NEAR(Standing(same.houses).topM, 33.0, 0.01);
+    EXPECT_NEAR(same.houses[0].building.wallTint.r, 1.0F, 0.01F);
+    EXPECT_NEAR(same.houses[0].building.wallTint.g, 0.0F, 0.01F);
+}
+
 TEST(Houses, OneOnTheStreetIsLeftOut)
 {
     Village village;
