@@ -21,7 +21,8 @@ namespace
 
 constexpr double kPlaceM = 10.0;
 constexpr double kBeyondM = 6.0, kLowM = 0.3;
-constexpr int kMostPlaces = 200; ///< along a side of the box around water
+constexpr double kSampledM = 5.0; ///< along a course, that samples of the ground are off
+constexpr int kMostPlaces = 200;  ///< along a side of the box around water
 
 double heightOr(const PlanHeight& elevationM, const glm::dvec2& place, LevelFigures& figures)
 {
@@ -42,10 +43,16 @@ public:
                 if (boxOf({line[i], line[i + 1]}).meets(box)) _pieces.emplace_back(line[i], line[i + 1]);
     }
 
-    /// The nearest place of a course, if it is within kCourseM.
-    std::optional<glm::dvec2> nearest(const glm::dvec2& place) const
+    /// A place of a course, and its direction there.
+    struct At
     {
-        std::optional<glm::dvec2> found;
+        glm::dvec2 place{0.0}, along{1.0, 0.0};
+    };
+
+    /// The nearest place of a course, if it is within kCourseM.
+    std::optional<At> nearest(const glm::dvec2& place) const
+    {
+        std::optional<At> found;
         double leastM = kCourseM;
         for (const auto& [a, b] : _pieces)
         {
@@ -55,9 +62,18 @@ public:
             const double awayM = glm::distance(place, a + share * along);
             if (awayM >= leastM) continue;
             leastM = awayM;
-            found = a + share * along;
+            found = At{a + share * along, along / std::max(glm::length(along), 1e-6)};
         }
         return found;
+    }
+
+    /// Whether a river goes on beyond an edge of its area: there the course leads away with it, and it has no
+    /// shore.
+    bool leadOut(const glm::dvec2& edge, const glm::dvec2& beyond) const
+    {
+        const auto here = nearest(edge), there = nearest(beyond);
+        return here && there &&
+               glm::distance(beyond, there->place) < glm::distance(edge, here->place) + 0.5 * kBeyondM;
     }
 
     /// How courses fall and rise within the water.
@@ -94,9 +110,18 @@ double slopeAt(const glm::dvec2& place, double stepM, const PlanRings& rings, co
     const auto awayM = [&](const glm::dvec2& other)
     { return std::abs(heightOr(elevationM, other, figures) - height); };
     if (const auto course = courses.nearest(place))
-        return scenery::isWithin(rings, *course)
-                   ? std::max(0.0, awayM(*course) - kLowM) / std::max(kPlaceM, glm::distance(place, *course))
-                   : 0.0;
+    {
+        if (!scenery::isWithin(rings, course->place)) return 0.0;
+        // At a rapid the ground, of samples, lies as the course does some metres up or down.
+        double lowM = 1e300, highM = -1e300;
+        for (const double alongM : {-kSampledM, 0.0, kSampledM})
+        {
+            const double its = heightOr(elevationM, course->place + alongM * course->along, figures);
+            lowM = std::min(lowM, its), highM = std::max(highM, its);
+        }
+        const double offM = std::max({0.0, height - highM, lowM - height});
+        return std::max(0.0, offM - kLowM) / std::max(kPlaceM, glm::distance(place, course->place));
+    }
     double slope = 0.0;
     for (const glm::dvec2 step : {glm::dvec2(stepM, 0.0), glm::dvec2(0.0, stepM)})
         if (scenery::isWithin(rings, place + step) && !courses.nearest(place + step))
@@ -172,6 +197,7 @@ LevelFigures waterFigures(const PlanRings& rings, const PlanRings& lines, const 
             {
                 const glm::dvec2 edge = glm::mix(a, b, at / lengthM);
                 const double side = scenery::isWithin(rings, edge + out) ? -1.0 : 1.0;
+                if (courses.leadOut(edge, edge + side * out)) continue;
                 const double besideM = heightOr(elevationM, edge + side * out, figures);
                 places += 1.0;
                 low += heightOr(elevationM, edge, figures) - besideM > kLowM ? 1.0 : 0.0;

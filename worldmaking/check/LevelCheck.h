@@ -29,7 +29,7 @@ LevelFigures runwayFigures(const glm::dvec2& from, const glm::dvec2& to, double 
 
 /// Measures open water: places each 10 m within it, and its shore each 10 m. A river falls along its course,
 /// and is as high beside it: a place within kCourseM of a course (`courses`: lines, downstream) counts by its
-/// height above the course there, 0.3 m left out.
+/// height above the course there, 0.3 m left out. Where a course leads out of the area there is no shore.
 LevelFigures waterFigures(const PlanRings& rings, const PlanRings& courses, const PlanHeight& elevationM);
 
 inline constexpr double kCourseM = 60.0;

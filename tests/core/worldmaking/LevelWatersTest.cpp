@@ -126,3 +126,21 @@ TEST(LevelCheck, ARiverMayFallAlongItsCourseAlone)
     EXPECT_FALSE(isEven(course, [](const glm::dvec2& place) { return place.x < 200.0 ? 50.0 : 20.0; }))
         << "a step";
 }
+
+TEST(LevelCheck, ARiverHasNoShoreWhereItGoesOnAndOneBesideIt)
+{
+    const worldmaking::PlanRings piece{{{0, -5}, {20, -5}, {20, 5}, {0, 5}}},
+        course{{{-100, 0}, {10, 0}, {120, 0}}};
+    const auto figures = [&](double bankM, const worldmaking::PlanRings& courses)
+    {
+        return worldmaking::waterFigures(piece, courses,
+                                         [=](const glm::dvec2& place) -> std::optional<double> {
+                                             return 100.0 - 0.1 * place.x +
+                                                    (std::abs(place.y) > 7.0 ? bankM : 0.0);
+                                         });
+    };
+    EXPECT_EQ(figures(1.0, course).lowShore, 0.0) << "it falls out of its piece";
+    EXPECT_GT(figures(1.0, {}).lowShore, 0.1) << "a lake does not";
+    EXPECT_GT(figures(-1.0, course).lowShore, 0.9) << "banks that are too low are found";
+    EXPECT_FALSE(worldmaking::isEvenWater(figures(-1.0, course)));
+}
