@@ -36,6 +36,7 @@ nlohmann::ordered_json rowOf(const worldmaking::HouseReport& report)
             {"towers", report.towers},
             {"cutBack", report.cutBack},
             {"passages", report.passages},
+            {"parts", report.parts},
             {"onRoad", report.onRoad},
             {"overlapping", report.overlapping},
             {"onRunway", report.onRunway},
@@ -101,6 +102,7 @@ nlohmann::ordered_json rowOf(const worldmaking::StructureReport& report)
             {"railways", report.railways},
             {"turbines", report.turbines},
             {"windsocks", report.windsocks},
+            {"footbridges", report.footbridges},
             {"cut", report.cut},
             {"beyondGround", report.beyondGround}};
 }

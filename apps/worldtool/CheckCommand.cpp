@@ -12,6 +12,7 @@
 #include "scenery/roads/NearestStreet.h"
 #include "scenery/structures/HeightsInScene.h"
 #include "worldmaking/check/WorldCheck.h"
+#include "worldmaking/land/PlanGrid.h"
 #include "worldtool/Commands.h"
 #include "worldtool/FaultLines.h"
 
@@ -74,6 +75,9 @@ foundation::Outcome addRails(const RoamFile& world, const PlacedTile& tile, Worl
             if (!structure || structure->heightsM.empty()) continue; // on the ground, whatever that is
             scenery::putHeightsInScene(*structure, tile);
             worldmaking::RailLine rail;
+            if (structure->kind == scenery::StructureKind::footRamp) continue;
+            rail.isFootbridge = structure->kind == scenery::StructureKind::footbridge;
+            rail.isTube = structure->isTunnel;
             for (std::size_t i = 0; i < structure->heightsM.size(); ++i)
                 rail.points.emplace_back(structure->line[i], structure->heightsM[i]);
             things.rails.push_back(std::move(rail));
@@ -153,13 +157,33 @@ nlohmann::ordered_json placesOf(const worldmaking::WorldFaults& faults,
     return rows;
 }
 
+/// Gives faults of waters the names that the map has.
+void nameWaters(const RoamFile& world, const PlacedTile& tile, worldmaking::WorldFaults& faults)
+{
+    if (faults.waterFaults.empty()) return;
+    for (const auto& source : world.features)
+    {
+        const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+        if (!shapes) return; // they have been read once
+        for (const auto& shape : shapes->shapes)
+        {
+            const auto name = shape.tags.find("name");
+            if (!shape.isArea() || name == shape.tags.end() || name->second.empty()) continue;
+            const auto box = worldmaking::boxOf(shape.rings.front());
+            for (auto& fault : faults.waterFaults)
+                if (glm::distance(fault.place, 0.5 * (box.low + box.high)) < 0.5) fault.name = name->second;
+        }
+    }
+}
+
 /// The waters that do not lie as water does. Units: metres, degrees.
 nlohmann::ordered_json watersOf(const worldmaking::WorldFaults& faults, const PlacedTile& tile)
 {
     auto rows = nlohmann::ordered_json::array();
     for (const auto& fault : faults.waterFaults)
     {
-        nlohmann::ordered_json row{{"areaM2", fault.areaM2},
+        nlohmann::ordered_json row{{"name", fault.name},
+                                   {"areaM2", fault.areaM2},
                                    {"slope", fault.figures.slope},
                                    {"fall", fault.figures.fall},
                                    {"rise", fault.figures.rise},
@@ -184,7 +208,7 @@ nlohmann::ordered_json watersOf(const worldmaking::WorldFaults& faults, const Pl
 nlohmann::ordered_json crossingsOf(const worldmaking::WorldFaults& faults,
                                    const osgRoads::core::PlacedNetwork* roads, const PlacedTile& tile)
 {
-    constexpr const char* kNames[] = {"roads", "rails", "tunnel", "railEnd"};
+    constexpr const char* kNames[] = {"roads", "rails", "tunnel", "railEnd", "footbridge"};
     auto rows = nlohmann::ordered_json::array();
     for (const auto& fault : faults.crossingFaults)
     {
@@ -229,7 +253,8 @@ foundation::Result<Report> check(const std::filesystem::path& world)
     };
     for (const auto add : {addHouses, addPlants, addRails, addGround})
         if (const auto added = add(*description, tile, things); !added) return added.error();
-    const worldmaking::WorldFaults faults = worldmaking::checkWorld(things);
+    worldmaking::WorldFaults faults = worldmaking::checkWorld(things);
+    nameWaters(*description, tile, faults);
     Report report;
     report.json = rowOf(faults);
     report.sound = faults.total() == 0;

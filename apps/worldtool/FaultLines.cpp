@@ -55,11 +55,17 @@ public:
                        "one level");
         case CrossingFlaw::tunnel:
             return add(fault.place,
-                       "the tunnel of " + road(fault.road) + " stands " + number(fault.foundM, "%.1f m") +
-                           " above the ground",
+                       "the tunnel of " + (fault.road < 0 ? "a railway" : road(fault.road)) + " stands " +
+                           number(fault.foundM, "%.1f m") + " above the ground",
                        "join other streets farther from its portals, so that ramps have room, or take the "
                        "tunnel off "
                        "the map");
+        case CrossingFlaw::footbridge:
+            return add(fault.place,
+                       "a footbridge passes " + std::string(fault.isRoadAbove ? "under " : "over ") +
+                           road(fault.road) + " with " + clear(fault),
+                       "give its way and the street layers that tell which is above, and its path room for a "
+                       "ramp or stairs");
         case CrossingFlaw::railEnd:
             if (fault.road < 0)
                 return add(fault.place, "rails meet in a step of " + number(fault.foundM, "%.1f m"),
@@ -83,7 +89,8 @@ public:
     {
         const auto& figures = fault.figures;
         const bool isSteep = figures.slope > 0.0;
-        std::string what = "water of " + number(fault.areaM2, "%.0f m²");
+        std::string what = "water " + (fault.name.empty() ? "" : "'" + fault.name + "' ") + "of " +
+                           number(fault.areaM2, "%.0f m²");
         if (!figures.isKnown)
             what += " reaches beyond the elevation data";
         else
@@ -93,10 +100,10 @@ public:
                     number(100.0 * figures.lowShore, "%.0f %% of its shore low");
         add(isSteep && figures.isKnown ? glm::dvec3(figures.steepAt, 0.0) : glm::dvec3(fault.place, 0.0),
             what,
-            figures.isKnown
-                ? "give the river a line (waterway) along its course, finer elevation data, or an outline "
-                  "that keeps off slopes and roads"
-                : "give elevation data around it, or cut the map (--bounds)");
+            figures.isKnown ? "give a river a line (waterway) along its course, downstream, a lake an "
+                              "outline that keeps off "
+                              "slopes and roads, or finer elevation data"
+                            : "give elevation data around it, or cut the map (--bounds)");
     }
 
     /// Ends a kind.

@@ -8,12 +8,14 @@
 
 #include <foundation/Threads.h>
 #include <foundation/WholeFile.h>
+#include <glm/geometric.hpp>
 
 #include <osgRoads/core/write/WriteNetwork.h>
 #include <osgTerrainROAM/core/LoadTerrain.h>
 #include <osgTerrainROAM/core/edit/EditFile.h>
 
 #include "scenery/roads/LayRoads.h"
+#include "scenery/structures/RailTube.h"
 #include "worldmaking/earth/Airfields.h"
 #include "worldmaking/earth/EarthworkFile.h"
 #include "worldmaking/earth/LevelWaters.h"
@@ -24,6 +26,7 @@
 #include "worldmaking/land/SilentLand.h"
 #include "worldmaking/land/Structures.h"
 #include "worldmaking/land/Trees.h"
+#include "worldmaking/streets/Overpass.h"
 #include "worldtool/BuildReport.h"
 #include "worldtool/RideFiles.h"
 
@@ -52,6 +55,7 @@ foundation::Outcome WorldMaker::make()
     notes.insert(notes.end(), streets->report.notes.begin(), streets->report.notes.end());
     if (!notes.empty()) report.json["notes"] = notes;
     _tracks = std::move(streets->tracks);
+    _footbridges = std::move(streets->footbridges);
     std::error_code ignored;
     if (!_state.has("world.roam")) std::filesystem::remove(file("world.roam"), ignored); // of other inputs
     const auto plane = worldmaking::MapPlane::create(streets->network.header, mapName);
@@ -196,9 +200,13 @@ void WorldMaker::shapeGround()
 void WorldMaker::addTrackWorks(const worldmaking::MapPlane& plane)
 {
     const std::size_t before = _works.size();
+    std::vector<osgTerrainROAM::core::Earthwork> overTubes;
     for (const worldmaking::Track& track : _tracks)
     {
-        if (track.place != worldmaking::StreetPlace::ground || !track.isOffGround) continue;
+        if (track.place == worldmaking::StreetPlace::tunnel && !track.isInStreet)
+            addTubeWorks(track, plane, overTubes);
+        if (track.place != worldmaking::StreetPlace::ground || !track.isOffGround || track.isInStreet)
+            continue;
         const auto degrees = plane.toDegrees({track.points});
         auto paths = degrees ? _earthPlane->toPlan(*degrees) : std::nullopt;
         if (!paths) continue;
@@ -208,7 +216,63 @@ void WorldMaker::addTrackWorks(const worldmaking::MapPlane& plane)
         work.widthM = kFormationM;
         _works.push_back(std::move(work));
     }
+    std::move(overTubes.begin(), overTubes.end(), std::back_inserter(_works)); // the last: over cuttings
     if (_works.size() > before) shapeGround();
+}
+
+/// Ground over the tube of a railway: the cutting before a portal must not reach over the tube behind it, and
+/// where the hill is too low for a tube, earth covers it.
+void WorldMaker::addTubeWorks(const worldmaking::Track& track, const worldmaking::MapPlane& plane,
+                              std::vector<osgTerrainROAM::core::Earthwork>& works) const
+{
+    constexpr double kBackM = scenery::kRailPortalBackM - 1.5, kNearPortalM = 30.0, kStepM = 3.0;
+    constexpr double kWideM = 8.0, kSteep = 4.0, kCoverM = 0.2, kMostCoverM = 9.0;
+    double lengthM = 0.0;
+    for (std::size_t k = 0; k + 1 < track.points.size(); ++k)
+        lengthM += glm::distance(track.points[k], track.points[k + 1]);
+    osgTerrainROAM::core::Earthwork work;
+    work.widthM = kWideM;
+    work.slope = kSteep;
+    std::vector<glm::dvec2> line;
+    std::vector<double> heightsM;
+    const auto finish = [&]
+    {
+        const auto degrees = line.size() < 2 ? std::nullopt : plane.toDegrees({line});
+        if (auto paths = degrees ? _earthPlane->toPlan(*degrees) : std::nullopt)
+        {
+            work.paths = std::move(*paths);
+            work.heightsM = {heightsM};
+            works.push_back(work);
+        }
+        line.clear(), heightsM.clear();
+    };
+    double alongM = 0.0;
+    for (std::size_t k = 0; k + 1 < track.points.size(); ++k)
+    {
+        const double pieceM = glm::distance(track.points[k], track.points[k + 1]);
+        const int steps = std::max(1, static_cast<int>(pieceM / kStepM));
+        for (int step = 0; step < steps; ++step)
+        {
+            const double share = static_cast<double>(step) / steps, s = alongM + share * pieceM;
+            const double fromStartM = track.isPortalAtStart ? s : kNearPortalM,
+                         fromEndM = track.isPortalAtEnd ? lengthM - s : kNearPortalM;
+            const glm::dvec2 place = glm::mix(track.points[k], track.points[k + 1], share);
+            const auto groundM = heightM(plane, place);
+            const double roofM = std::lerp(track.heightsM[k], track.heightsM[k + 1], share) +
+                                 worldmaking::kTunnelRoofM + kCoverM;
+            const double portalM = std::min(fromStartM, fromEndM);
+            const bool isBare = groundM && *groundM<roofM&& * groundM> roofM - kMostCoverM;
+            if (groundM && portalM >= kBackM && (portalM < kNearPortalM || isBare))
+            {
+                line.push_back(place);
+                heightsM.push_back(isBare ? roofM : *groundM);
+            }
+            else
+                finish();
+        }
+        alongM += pieceM;
+    }
+    finish();
 }
 
 foundation::Outcome WorldMaker::writeEarth()
@@ -280,9 +344,9 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
             !written)
             return written;
     worldmaking::StructureReport standing;
-    if (auto written =
-            worldmaking::writeStructures(_source.land, plane, {room, _runways, _strips, height, _tracks},
-                                         file("structures.gpkg"), standing);
+    if (auto written = worldmaking::writeStructures(_source.land, plane,
+                                                    {room, _runways, _strips, height, _tracks, _footbridges},
+                                                    file("structures.gpkg"), standing);
         !written)
         return written;
     _hasStructures = standing.written > 0;

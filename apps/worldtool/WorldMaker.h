@@ -91,6 +91,8 @@ private:
     foundation::Outcome makeEarth();
     void shapeGround();
     void addTrackWorks(const worldmaking::MapPlane& plane);
+    void addTubeWorks(const worldmaking::Track& track, const worldmaking::MapPlane& plane,
+                      std::vector<osgTerrainROAM::core::Earthwork>& works) const;
     foundation::Outcome writeEarth();
     foundation::Result<worldmaking::Streets> makeStreets(const std::string& mapName) const;
     void fillCover(worldmaking::CoverRaster& cover, const worldmaking::MapPlane& plane,
@@ -120,6 +122,7 @@ private:
     std::shared_ptr<const worldmaking::MapPlane> _earthPlane;
     std::vector<osgTerrainROAM::core::Earthwork> _works; ///< all, in that plane
     std::vector<worldmaking::Track> _tracks;             ///< in the plane of the roads
+    std::vector<worldmaking::Footbridge> _footbridges;   ///< likewise
     bool _hasGround = false, _hasCover = false, _hasTrees = false, _hasEarth = false, _hasStructures = false;
     bool _hasModels = false, _hasRoads = true;
 };

@@ -3,15 +3,20 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <foundation/Angle.h>
 
 #include <osg/Notify>
 
+#include <osgTerrainROAM/core/features/OpeningCells.h>
+
 #include "ReadShapes.h"
 #include "scenery/ground/TileGround.h"
 #include "scenery/nodes/StructuresNode.h"
+#include "scenery/roads/TunnelOpenings.h"
 #include "scenery/structures/HeightsInScene.h"
+#include "scenery/structures/RailTube.h"
 
 namespace trainer
 {
@@ -125,6 +130,15 @@ foundation::Outcome addStructures(const osgTerrainROAM::core::RoamFile& descript
     std::size_t beyondGround = 0;
     if (!standing->structures.empty())
     {
+        if (auto openings = scenery::railOpenings(standing->structures); !openings.empty())
+        {
+            if (scene.roads)
+                for (auto& opening : scenery::tunnelOpenings(*scene.roads))
+                    openings.push_back(std::move(opening));
+            const auto cells = osgTerrainROAM::core::OpeningCells::build(openings);
+            if (!cells) return cells.error();
+            scene.terrain->material()->setOpenings(*cells);
+        }
         scene.standing.push_back({"structures", scenery::makeStructuresNode(scenery::structureFacets(
                                                     standing->structures, ground, beyondGround))});
         group->addChild(scene.standing.back().node);

@@ -22,7 +22,15 @@ constexpr double kSectionEveryM =
     5.0; ///< the chord of a bend of 50 m is 6 cm off, a fifth of what the lining hides
 constexpr double kOverFeetM = 0.5, kEndsM = 0.05;
 
-GroundOpening openingOf(const TunnelTube& tube)
+GroundOpening::Section sectionOf(const PlacedNetwork& roads, int road, double s, const TunnelTube& tube)
+{
+    const auto sides = osgRoads::core::tunnelSides(roads.road(road), s, tube);
+    return {roads.surfacePoint(road, s, sides.middle()), sides.half() + 0.5 * tube.liningM};
+}
+
+} // namespace
+
+GroundOpening emptyOpening(const TunnelTube& tube)
 {
     GroundOpening opening;
     opening.lowM = tube.feetM + kOverFeetM;
@@ -32,14 +40,6 @@ GroundOpening openingOf(const TunnelTube& tube)
     opening.beyondM = kEndsM;
     return opening;
 }
-
-GroundOpening::Section sectionOf(const PlacedNetwork& roads, int road, double s, const TunnelTube& tube)
-{
-    const auto sides = osgRoads::core::tunnelSides(roads.road(road), s, tube);
-    return {roads.surfacePoint(road, s, sides.middle()), sides.half() + 0.5 * tube.liningM};
-}
-
-} // namespace
 
 std::vector<GroundOpening> tunnelOpenings(const PlacedNetwork& roads, const TunnelTube& tube)
 {
@@ -54,7 +54,7 @@ std::vector<GroundOpening> tunnelOpenings(const PlacedNetwork& roads, const Tunn
             const double from = std::max(structure.s - tube.portalM, 0.0);
             const double to = std::min(structure.s + structure.length + tube.portalM, road.length);
             if (to - from < tube.portalM) continue;
-            GroundOpening opening = openingOf(tube);
+            GroundOpening opening = emptyOpening(tube);
             for (const double along : osgRoads::core::evenStations(to - from, kSectionEveryM))
                 opening.line.push_back(sectionOf(roads, i, from + along, tube));
             openings.push_back(std::move(opening));
@@ -72,7 +72,7 @@ bool isInTunnel(const PlacedNetwork& roads, const osgRoads::core::RoadMatch& mat
     const auto sides = osgRoads::core::tunnelSides(roads.road(at.road), at.s, tube);
     const double aside = std::fabs(at.t - sides.middle()) / (sides.half() + 0.5 * tube.liningM);
     if (aside > 1.0) return false;
-    const GroundOpening opening = openingOf(tube);
+    const GroundOpening opening = emptyOpening(tube);
     const double overM = heightM - roads.surfacePoint(at.road, at.s, sides.middle()).z;
     return overM >= opening.lowM && overM < opening.roofM(aside);
 }

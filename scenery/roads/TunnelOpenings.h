@@ -10,6 +10,9 @@
 namespace scenery
 {
 
+/// Returns the cross-section that a tube takes from the ground, without a line.
+osgTerrainROAM::core::GroundOpening emptyOpening(const osgRoads::core::TunnelTube& tube);
+
 /// Returns the insides of all tunnels, up to the middle of their linings, so that the border of the ground
 /// lies within concrete.
 /// Frame: the scene's. Units: metres.

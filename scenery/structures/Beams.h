@@ -39,9 +39,10 @@ public:
     /// A box along the axes of a frame: `forward` is a horizontal unit vector.
     void box(const glm::dvec3& middle, const glm::dvec2& forward, const glm::dvec3& halfM);
 
-private:
+    /// Four corners of a plane, counter-clockwise seen from outside.
     void face(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 
+private:
     Facets& _facets;
     glm::dvec3 _origin;
     glm::vec3 _colour{0.6F};

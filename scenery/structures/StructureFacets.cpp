@@ -7,9 +7,11 @@
 #include <numbers>
 
 #include "scenery/models/Dice.h"
-#include "scenery/structures/Beams.h"
 #include "scenery/structures/Catenary.h"
+#include "scenery/structures/Footbridge.h"
 #include "scenery/structures/PowerLine.h"
+#include "scenery/structures/RailTube.h"
+#include "scenery/structures/SquareBeams.h"
 
 namespace scenery
 {
@@ -39,7 +41,7 @@ struct LinePlace
 class StructureMaker
 {
 public:
-    StructureMaker(StructureSquares& squares, const GroundHeight& ground) : _squares(squares), _ground(ground)
+    StructureMaker(StructureSquares& squares, const GroundHeight& ground) : _beams(squares), _ground(ground)
     {
     }
 
@@ -55,6 +57,10 @@ public:
             return addTurbine(structure);
         case StructureKind::railway:
             return addRailway(structure);
+        case StructureKind::footbridge:
+        case StructureKind::footRamp:
+            addFootbridge(structure, _ground, _beams);
+            return true;
         case StructureKind::fence:
         case StructureKind::wall:
             break;
@@ -63,20 +69,10 @@ public:
     }
 
 private:
-    StructureSquare& at(const glm::dvec3& place)
+    StructureSquare& at(const glm::dvec3& place) { return _beams.at(place); }
+    static Beams in(StructureSquare& square, Facets StructureSquare::*part, const glm::vec3& colour)
     {
-        const auto number = [](double m)
-        { return static_cast<std::int64_t>(std::floor(m / kStructureSquareM)); };
-        const auto [found, isNew] = _squares.try_emplace({number(place.x), number(place.y)});
-        if (isNew) found->second.origin = place;
-        return found->second;
-    }
-
-    Beams in(StructureSquare& square, Facets StructureSquare::*part, const glm::vec3& colour)
-    {
-        Beams beams(square.*part, square.origin);
-        beams.colour(colour);
-        return beams;
+        return SquareBeams::in(square, part, colour);
     }
 
     /// Places on the ground along a line, at its points and between, `stepM` apart at most.
@@ -278,14 +274,15 @@ private:
         auto places = hasHeights ? placesAt(railway) : placesOn(railway.line, kWallStepM);
         if (places.empty()) return false;
         if (railway.isBridge && !hasHeights) span(places);
+        if (railway.isTunnel && hasHeights) addRailTube(railway, _beams);
         double sleeperM = 0.0, poleM = 0.5 * kContactM;
         for (std::size_t i = 0; i + 1 < places.size(); ++i)
         {
             addTrack(railway, places[i], places[i + 1].place, sleeperM);
             poleM += glm::distance(places[i].place, places[i + 1].place);
             if (!railway.hasWire) continue;
-            addContactWire(places[i], places[i + 1].place);
-            if (poleM < kContactM) continue;
+            addContactWire(places[i], places[i + 1].place, railway.isTunnel);
+            if (poleM < kContactM || railway.isTunnel) continue;
             poleM = 0.0;
             addContactPole(places[i]);
         }
@@ -308,8 +305,9 @@ private:
         const glm::dvec2 left = leftOf(from.along);
         const glm::dvec3 bed(0.0, 0.0, kBedM), top(0.0, 0.0, kRailTopM);
         const double deepM = railway.isBridge ? 0.9 : 0.3;
-        in(square, &StructureSquare::low, railway.isBridge ? kStone : kBallast)
-            .slab({from.place + bed, to + bed, 1.7 * left, from.place.z - deepM, to.z - deepM});
+        if (!railway.isInStreet)
+            in(square, &StructureSquare::low, railway.isBridge ? kStone : kBallast)
+                .slab({from.place + bed, to + bed, 1.7 * left, from.place.z - deepM, to.z - deepM});
         Beams rails = in(square, &StructureSquare::low, kRail);
         for (const double side : {-0.5, 0.5})
         {
@@ -317,6 +315,7 @@ private:
             rails.slab(
                 {from.place + top + out, to + top + out, 0.035 * left, from.place.z + kBedM, to.z + kBedM});
         }
+        if (railway.isInStreet) return;
         Beams sleepers = in(square, &StructureSquare::fine, kSleeper);
         const double lengthM = glm::distance(from.place, to);
         for (; sleeperM < lengthM; sleeperM += kSleeperM)
@@ -325,11 +324,12 @@ private:
         sleeperM -= lengthM;
     }
 
-    void addContactWire(const LinePlace& from, const glm::dvec3& to)
+    void addContactWire(const LinePlace& from, const glm::dvec3& to, bool isInTube)
     {
         for (const double up : {5.9, 7.1})
-            in(at(from.place), &StructureSquare::fine, kWire)
-                .bar(from.place + glm::dvec3(0, 0, up), to + glm::dvec3(0, 0, up), 0.015);
+            if (up < 6.0 || !isInTube)
+                in(at(from.place), &StructureSquare::fine, kWire)
+                    .bar(from.place + glm::dvec3(0, 0, up), to + glm::dvec3(0, 0, up), 0.015);
     }
 
     void addContactPole(const LinePlace& at3)
@@ -341,7 +341,7 @@ private:
         beams.bar(foot + glm::dvec3(0, 0, 6.4), at3.place + glm::dvec3(0, 0, 6.9), 0.04);
     }
 
-    StructureSquares& _squares;
+    SquareBeams _beams;
     const GroundHeight& _ground;
 };
 

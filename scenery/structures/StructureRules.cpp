@@ -33,8 +33,8 @@ double metresOf(const StructureTags& tags, std::string_view key, double least, d
     return number && *number >= least && *number <= most ? *number : otherwise;
 }
 
-/// The numbers of a list "1.5;2.25;…"; none where it does not have one for each point.
-std::vector<double> heightsOf(std::string_view text, std::size_t points)
+/// The numbers of a list "1.5;2.25;…"; none where one is no number.
+std::vector<double> numbersOf(std::string_view text)
 {
     std::vector<double> heights;
     while (!text.empty())
@@ -47,7 +47,19 @@ std::vector<double> heightsOf(std::string_view text, std::size_t points)
         if (!text.empty() && text.front() != ';') return {};
         if (!text.empty()) text.remove_prefix(1);
     }
+    return heights;
+}
+
+/// The heights of a list; none where it does not have one for each point.
+std::vector<double> heightsOf(std::string_view text, std::size_t points)
+{
+    auto heights = numbersOf(text);
     return heights.size() == points ? heights : std::vector<double>();
+}
+
+bool isOnSide(std::string_view value, std::string_view side)
+{
+    return value == side || value == "both";
 }
 
 bool isUndergroundLine(const StructureTags& tags)
@@ -84,8 +96,8 @@ bool setPower(Structure& structure, const StructureTags& tags)
 
 bool setRailway(Structure& structure, const StructureTags& tags)
 {
-    constexpr std::array<std::string_view, 5> kRailways{"rail", "narrow_gauge", "light_rail", "preserved",
-                                                        "tram"};
+    constexpr std::array<std::string_view, 6> kRailways{"rail",      "narrow_gauge", "light_rail",
+                                                        "preserved", "tram",         "subway"};
     if (std::find(kRailways.begin(), kRailways.end(), tagOf(tags, "railway")) == kRailways.end())
         return false;
     structure.kind = StructureKind::railway;
@@ -93,7 +105,25 @@ bool setRailway(Structure& structure, const StructureTags& tags)
     structure.hasWire = tagOf(tags, "electrified") == "contact_line";
     structure.heightM = 0.0;
     structure.heightsM = heightsOf(tagOf(tags, "heights"), structure.line.size());
+    structure.isTunnel = isTagged(tags, "tunnel");
+    structure.isInStreet = isTagged(tags, "embedded");
+    const auto portals = tagOf(tags, "portals"), tube = tagOf(tags, "tube");
+    structure.isPortalAtStart = isOnSide(portals, "start"),
+    structure.isPortalAtEnd = isOnSide(portals, "end");
+    structure.isOpenLeft = isOnSide(tube, "left"), structure.isOpenRight = isOnSide(tube, "right");
     return true;
+}
+
+bool setFootbridge(Structure& structure, const StructureTags& tags)
+{
+    const auto kind = tagOf(tags, "kind");
+    if (kind != "footbridge" && kind != "footramp") return false;
+    structure.kind = kind == "footbridge" ? StructureKind::footbridge : StructureKind::footRamp;
+    structure.heightM = 0.0;
+    structure.widthM = metresOf(tags, "width", 0.5, 20.0, 2.5);
+    structure.heightsM = heightsOf(tagOf(tags, "heights"), structure.line.size());
+    structure.piersM = numbersOf(tagOf(tags, "piers"));
+    return !structure.heightsM.empty();
 }
 
 } // namespace
@@ -115,7 +145,11 @@ std::optional<Structure> structureOf(std::vector<glm::dvec2> line, const Structu
             metresOf(tags, "height:hub", 15.0, 200.0, metresOf(tags, "height", 15.0, 200.0, 95.0));
         return structure;
     }
-    if (structure.line.size() < 2 || isUndergroundLine(tags)) return std::nullopt;
+    if (structure.line.size() < 2) return std::nullopt;
+    if (setFootbridge(structure, tags)) return structure;
+    const bool isTube = !tagOf(tags, "heights").empty() && setRailway(structure, tags);
+    if (isTube && !structure.heightsM.empty()) return structure;
+    if (isUndergroundLine(tags)) return std::nullopt;
     if (setBarrier(structure, tags) || setPower(structure, tags) || setRailway(structure, tags))
         return structure;
     return std::nullopt;

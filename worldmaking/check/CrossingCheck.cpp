@@ -12,6 +12,7 @@
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/query/Stations.h>
 
+#include "scenery/structures/Footbridge.h"
 #include "worldmaking/land/PlanGrid.h"
 #include "worldmaking/streets/Overpass.h"
 
@@ -116,12 +117,34 @@ public:
             }
     }
 
+    template<class Ground>
+    void lookAtTubes(const Ground& groundM)
+    {
+        for (const RailLine& line : _rails)
+        {
+            if (!line.isTube) continue;
+            CrossingFault worst{CrossingFlaw::tunnel};
+            for (const glm::dvec3& place : line.points)
+            {
+                const auto awayM = [&](const glm::dvec3& end)
+                { return glm::distance(glm::dvec2(place), glm::dvec2(end)); };
+                if (std::min(awayM(line.points.front()), awayM(line.points.back())) < kPortalRoomM) continue;
+                const auto ground = groundM(place.x, place.y);
+                if (!ground) continue;
+                const double roofM = place.z + kTunnelRoofM - 0.1 - *ground;
+                if (roofM > std::max(kMostRoofM, worst.foundM)) worst.foundM = roofM, worst.place = place;
+            }
+            if (worst.foundM > 0.0) faults.push_back(worst);
+        }
+    }
+
     void lookAtEnds()
     {
         for (std::size_t rail = 0; rail < _rails.size(); ++rail)
-            for (const bool isEnd : {false, true})
-                if (!_rails[rail].points.empty())
-                    lookAtEnd(rail, isEnd ? _rails[rail].points.back() : _rails[rail].points.front());
+            if (!_rails[rail].isFootbridge)
+                for (const bool isEnd : {false, true})
+                    if (!_rails[rail].points.empty())
+                        lookAtEnd(rail, isEnd ? _rails[rail].points.back() : _rails[rail].points.front());
     }
 
     std::vector<CrossingFault> faults;
@@ -164,7 +187,7 @@ private:
         if (b.road >= 0)
             lookAtRoads(a, s, at, b, b.s + shares->y * b.lengthM, otherM);
         else
-            lookAtRails(a, s, at, otherM);
+            lookAtLine(a, s, at, _rails[b.rail], otherM);
     }
 
     void lookAtRoads(const WayStretch& a, double s, const glm::dvec3& at, const WayStretch& b, double otherS,
@@ -177,6 +200,26 @@ private:
         CrossingFault fault{CrossingFlaw::roads, isAbove ? a.road : b.road, lower.road, isAbove ? s : otherS};
         fault.foundM = apartM - deckAbove(lower.road, isAbove ? otherS : s, kRoadDeckM);
         note(fault, {glm::dvec2(at), std::max(at.z, otherM)});
+    }
+
+    void lookAtLine(const WayStretch& a, double s, const glm::dvec3& at, const RailLine& line, double otherM)
+    {
+        if (line.isFootbridge)
+            lookAtFootbridge(a, s, at, otherM);
+        else if (!line.isTube) // over a tube is ground
+            lookAtRails(a, s, at, otherM);
+    }
+
+    void lookAtFootbridge(const WayStretch& a, double s, const glm::dvec3& at, double deckM)
+    {
+        constexpr double kWalkersM = 2.2;
+        const double aboveM = at.z - deckM;
+        if (std::fabs(aboveM) <= kSameLevelM || isTube(_roads->road(a.road), s)) return;
+        CrossingFault fault{CrossingFlaw::footbridge, a.road, -1, s};
+        fault.isRoadAbove = aboveM > 0.0;
+        fault.foundM = fault.isRoadAbove ? aboveM - kRoadDeckM : -aboveM - scenery::kFootDeckM;
+        if (fault.isRoadAbove && fault.foundM >= kWalkersM) return;
+        note(fault, at);
     }
 
     void lookAtRails(const WayStretch& a, double s, const glm::dvec3& at, double formationM)
@@ -261,6 +304,7 @@ crossingFaults(const PlacedNetwork* roads, std::span<const RailLine> rails,
     CrossingLooker looker(roads, rails);
     looker.lookAtCrossings();
     looker.lookAtTunnels(groundM);
+    looker.lookAtTubes(groundM);
     looker.lookAtEnds();
     return std::move(looker.faults);
 }

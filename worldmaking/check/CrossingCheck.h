@@ -14,25 +14,27 @@
 namespace worldmaking
 {
 
-/// A railway as it is drawn: places of its formation. Frame: the scene's.
+/// A railway as it is drawn: places of its formation; or the surface of a footbridge. Frame: the scene's.
 struct RailLine
 {
     std::vector<glm::dvec3> points;
+    bool isTube = false, isFootbridge = false;
 };
 
 /// What is wrong where ways cross.
 enum class CrossingFlaw : std::uint8_t
 {
-    roads,  ///< a road passes over another with too little room
-    rails,  ///< a road and a railway likewise, neither on one level nor apart
-    tunnel, ///< the roof of a tunnel lies above the ground
-    railEnd ///< rails end at a road, or in a step
+    roads,     ///< a road passes over another with too little room
+    rails,     ///< a road and a railway likewise, neither on one level nor apart
+    tunnel,    ///< the roof of a tunnel lies above the ground
+    railEnd,   ///< rails end at a road, or in a step
+    footbridge ///< one passes over or under a road with too little room
 };
 
 struct CrossingFault
 {
     CrossingFlaw flaw = CrossingFlaw::roads;
-    int road = -1; ///< the upper one of two; that of the tunnel; -1: a step of rails
+    int road = -1; ///< the upper one of two; that of the tunnel; -1: a step of rails, a tunnel of a railway
     int other = -1;
     double sM = 0.0; ///< along `road`
     double foundM =

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -54,6 +55,7 @@ struct WaterFault
     glm::dvec2 place{0.0}; ///< the middle of the box around it, in the scene
     double areaM2 = 0.0;
     LevelFigures figures;
+    std::string name{}; ///< of the map; empty: none, or not known here
 };
 
 /// What stands wrong, and how much there is.

@@ -128,7 +128,7 @@ std::optional<Painted> paintedArea(const LandShape& shape, LandReport& report)
     if (isWater(shape))
     {
         ++report.waters;
-        return Painted{GroundLayer::waters, {{"kind", "water"}}};
+        return Painted{GroundLayer::waters, withDetails("water", shape.tags, {"name"})};
     }
     if (const auto use = valueOf(shape.tags, "landuse"); isOneOf(use, kFields))
     {
@@ -251,7 +251,11 @@ foundation::Outcome writeGround(const LandMap& map, std::span<const Runway> runw
     for (std::size_t i = 0; i < names.size(); ++i)
     {
         if (layers[i].empty()) continue;
-        made.beginLayer(names[i].first, names[i].second, {"kind", "width", "surface", "crop"});
+        std::vector<std::string> keys{"kind", "width", "surface", "crop"};
+        const bool hasName = std::any_of(layers[i].begin(), layers[i].end(),
+                                         [](const auto& painted) { return painted.second.contains("name"); });
+        if (hasName) keys.emplace_back("name"); // of waters: what is wrong with one names it
+        made.beginLayer(names[i].first, names[i].second, keys);
         for (const auto& [shape, tags] : layers[i])
             made.add(shape->paths, tags);
     }

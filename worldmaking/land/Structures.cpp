@@ -32,7 +32,7 @@ const std::vector<std::string> kKeys{
     "height", "width",    "layer",     "electrified", "generator:source", "generator:method",
     "tunnel", "location", "height:hub"};
 
-/// The heights of a railway as one text.
+/// Numbers along a line as one text.
 std::string heightsText(const std::vector<double>& heightsM)
 {
     std::string list;
@@ -97,6 +97,21 @@ public:
         }
     }
 
+    void takeFootbridges()
+    {
+        for (const Footbridge& bridge : _room.footbridges)
+        {
+            char width[32];
+            std::snprintf(width, sizeof width, "%.2f", bridge.widthM);
+            Tags tags{{"kind", bridge.isRamp ? "footramp" : "footbridge"},
+                      {"width", width},
+                      {"heights", heightsText(bridge.heightsM)}};
+            if (!bridge.piersM.empty()) tags["piers"] = heightsText(bridge.piersM);
+            _lines.emplace_back(bridge.points, std::move(tags));
+            _report.footbridges += bridge.isRamp ? 0 : 1;
+        }
+    }
+
     std::size_t size() const { return _lines.size() + _points.size(); }
 
     foundation::Outcome write(const std::filesystem::path& file) const
@@ -105,7 +120,9 @@ public:
         const auto writeAll = [&](const char* name, ShapeForm form, const auto& things)
         {
             auto keys = kKeys;
-            if (!_room.tracks.empty()) keys.push_back("heights");
+            if (!_room.tracks.empty() || !_room.footbridges.empty()) keys.push_back("heights");
+            if (!_room.tracks.empty()) keys.insert(keys.end(), {"portals", "tube", "embedded"});
+            if (!_room.footbridges.empty()) keys.push_back("piers");
             if (!things.empty()) made.beginLayer(name, form, keys);
             for (const auto& [path, tags] : things)
                 if (const auto degrees = _plane.toDegrees({path})) made.add(*degrees, tags);
@@ -127,11 +144,18 @@ private:
         for (const Track* stretch : found->second)
         {
             const Track& track = *stretch;
-            if (track.place == StreetPlace::tunnel) continue;
             Tags tags = shape.tags;
             for (const char* key : {"layer", "tunnel", "bridge", "location"})
                 tags.erase(key);
-            if (track.place == StreetPlace::bridge) tags["bridge"] = "yes";
+            if (track.place == StreetPlace::bridge && !track.isInStreet) tags["bridge"] = "yes";
+            if (track.place == StreetPlace::tunnel && !track.isInStreet) tags["tunnel"] = "yes";
+            if (track.isInStreet) tags["embedded"] = "yes";
+            const auto set = [&](const char* key, bool first, bool second, const char* one, const char* other)
+            {
+                if (first || second) tags[key] = first && second ? "both" : first ? one : other;
+            };
+            set("portals", track.isPortalAtStart, track.isPortalAtEnd, "start", "end");
+            set("tube", track.isOpenLeft, track.isOpenRight, "left", "right");
             tags["heights"] = heightsText(track.heightsM);
             _lines.emplace_back(track.points, std::move(tags));
         }
@@ -187,6 +211,9 @@ private:
             if (!isFree(path.front())) return;
             ++_report.turbines;
             _points.emplace_back(std::move(path), shape.tags);
+            return;
+        case StructureKind::footbridge: // made of paths
+        case StructureKind::footRamp:
             return;
         }
         _lines.emplace_back(std::move(path), shape.tags);
@@ -245,6 +272,7 @@ foundation::Outcome writeStructures(const LandMap& map, const MapPlane& plane, c
     StructureTaker taker(plane, room, report);
     for (std::size_t i = 0; i < map.shapes.size(); ++i)
         taker.take(map.shapes[i], i);
+    taker.takeFootbridges();
     taker.addWindsocks();
     report.written = taker.size();
     return taker.size() == 0 ? foundation::success() : taker.write(file);

@@ -12,6 +12,7 @@
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
+#include "worldmaking/streets/Footbridges.h"
 #include "worldmaking/streets/Track.h"
 
 namespace worldmaking
@@ -21,6 +22,7 @@ namespace worldmaking
 struct StructureReport
 {
     std::size_t walls = 0, fences = 0, powerLines = 0, railways = 0, turbines = 0, windsocks = 0;
+    std::size_t footbridges = 0;
     std::size_t cut = 0; ///< walls and fences that a road runs through
     std::size_t beyondGround = 0;
     std::size_t written = 0; ///< lines and points in the file
@@ -33,13 +35,15 @@ struct StructureRoom
     std::span<const Runway> runways;
     std::span<const PlanRings> strips; ///< of the runways
     PlanHeight ground;
-    std::span<const Track> tracks{}; ///< railways with heights of their own, by their shapes in the map
+    /// railways with heights of their own, by their shapes in the map
+    std::span<const Track> tracks{};
+    std::span<const Footbridge> footbridges{}; ///< with their ramps
 };
 
 /// Writes walls, fences, power lines, railways, wind turbines and windsocks of a map as a GeoPackage that
-/// `structures` of a .roam file reads. Railways with heights have them in the attribute `heights`, one
-/// for each point. Walls and fences end kGateM before lanes; a runway without a windsock
-/// of the map gets one beside its strip. Nothing is written where the map has none. Errors: as
+/// `structures` of a .roam file reads. Railways and footbridges with heights have them in the
+/// attribute `heights`, one for each point. Walls and fences end kGateM before lanes; a runway without a
+/// windsock of the map gets one beside its strip. Nothing is written where the map has none. Errors: as
 /// MapFile::finish().
 foundation::Outcome writeStructures(const LandMap& map, const MapPlane& plane, const StructureRoom& room,
                                     const std::filesystem::path& file, StructureReport& report);

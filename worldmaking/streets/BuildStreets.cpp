@@ -8,6 +8,9 @@
 #include <vector>
 
 #include <osgRoads/core/query/GeoReference.h>
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadLocator.h>
+#include <osgRoads/core/query/RoadSurface.h>
 
 #include "worldmaking/map/MapPlane.h"
 #include "worldmaking/streets/CoverCrossings.h"
@@ -113,6 +116,41 @@ foundation::Result<AllWays> allWays(const StreetMap& streets, const StreetGraph&
     return ways;
 }
 
+/// The surface of a network's lanes.
+class LaneSurface
+{
+public:
+    explicit LaneSurface(const osgRoads::core::RoadNetwork& network) : _network(network), _locator(network) {}
+
+    std::optional<double> heightAt(const glm::dvec2& place, StreetPlace on, double nearM) const
+    {
+        constexpr double kOtherLevelM = 3.5;
+        std::optional<double> found;
+        for (const auto& match : _locator.within(place, 0.01))
+        {
+            const auto& [index, s, t, h] = match.position;
+            const auto& road = _network.roads[static_cast<std::size_t>(index)];
+            if (placeOn(road, s) != on) continue;
+            const double heightM = osgRoads::core::surfacePoint(road, s, t).z;
+            if (std::fabs(heightM - nearM) < (found ? std::fabs(*found - nearM) : kOtherLevelM))
+                found = heightM;
+        }
+        return found;
+    }
+
+private:
+    static StreetPlace placeOn(const osgRoads::core::Road& road, double s)
+    {
+        const auto* structure = osgRoads::core::structureAt(road, s);
+        if (!structure) return StreetPlace::ground;
+        return structure->kind == osgRoads::core::StructureKind::bridge ? StreetPlace::bridge
+                                                                        : StreetPlace::tunnel;
+    }
+
+    const osgRoads::core::RoadNetwork& _network;
+    osgRoads::core::RoadLocator _locator;
+};
+
 Crossings crossingsOf(const AllWays& ways, std::size_t tracks, const LandMap& land, const MapPlane& plane)
 {
     Crossings crossings;
@@ -177,8 +215,16 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEar
     network.build(streets.network, report);
     report.coveredCrossings = coverCrossings(streets.network, ways->graph, cuts, crossings, heights);
     report.untoldBridges = addUntoldBridges(streets.network);
-    streets.tracks = tracksWithHeights(ways->graph, crossings.tracks, ways->lines, ways->places, heights,
-                                       trackSpans(ways->graph, cuts, crossings, heights), height);
+    const auto spans = trackSpans(ways->graph, cuts, crossings, heights);
+    const LaneSurface surface(streets.network);
+    const GroundHeight groundHeight = height;
+    const StreetSurface streetAt = [&](const glm::dvec2& place, StreetPlace on, double nearM)
+    { return surface.heightAt(place, on, nearM); };
+    streets.tracks = tracksWithHeights(
+        {ways->graph, crossings.tracks, ways->lines, ways->places, heights, spans, groundHeight, streetAt});
+    Footbridges footbridges = footbridgesOf({ways->graph, ways->places, ways->lines, cuts, heights,
+                                             land ? *land : noLand, *plane, groundHeight, streetAt});
+    streets.footbridges = std::move(footbridges.made);
     const auto placeText = [&](const glm::dvec2& plan) -> std::string
     {
         const auto degrees = plane->toDegrees(plan);
@@ -189,6 +235,7 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEar
     };
     report.notes = crossingNotes({ways->graph, ways->lines, cuts, crossings, heights, placeText,
                                   [&](std::size_t shape) { return land->shapes[shape].id; }});
+    report.notes.insert(report.notes.end(), footbridges.notes.begin(), footbridges.notes.end());
     return streets;
 }
 

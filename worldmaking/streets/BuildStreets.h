@@ -11,6 +11,7 @@
 
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/StreetMap.h"
+#include "worldmaking/streets/Footbridges.h"
 #include "worldmaking/streets/GroundOnEarth.h"
 #include "worldmaking/streets/Track.h"
 
@@ -38,7 +39,8 @@ struct StreetReport
 struct Streets
 {
     osgRoads::core::RoadNetwork network;
-    std::vector<Track> tracks; ///< in the plan of the network
+    std::vector<Track> tracks;           ///< in the plan of the network
+    std::vector<Footbridge> footbridges; ///< likewise, with their ramps
     StreetReport report;
 };
 

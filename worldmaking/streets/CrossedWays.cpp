@@ -2,17 +2,19 @@
 #include "worldmaking/streets/CrossedWays.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
 
+#include <foundation/TagQuantity.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "worldmaking/land/PlanGrid.h"
+#include "scenery/buildings/Outline.h"
+#include "worldmaking/land/Waters.h"
 #include "worldmaking/streets/Overpass.h"
+#include "worldmaking/streets/PlanPieces.h"
 
 namespace worldmaking
 {
@@ -21,7 +23,6 @@ namespace
 {
 
 constexpr double kPathClearM = 2.5, kWaterClearM = 0.9, kSmallRoundM = 0.7;
-constexpr double kSamePlaceM = 0.05;
 
 bool isOneWord(std::string_view word, std::initializer_list<std::string_view> words)
 {
@@ -30,10 +31,8 @@ bool isOneWord(std::string_view word, std::initializer_list<std::string_view> wo
 
 double widthOf(const Tags& tags, double otherwiseM)
 {
-    const std::string_view text = valueOf(tags, "width");
-    double widthM = 0.0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), widthM);
-    return read.ec == std::errc() && widthM > 0.5 && widthM < 500.0 ? widthM : otherwiseM;
+    const auto widthM = foundation::metresOfTag(valueOf(tags, "width"));
+    return widthM && *widthM > 0.5 && *widthM < 500.0 ? *widthM : otherwiseM;
 }
 
 /// What a line of a map is to a street.
@@ -47,7 +46,7 @@ struct CrossedLine
 std::optional<CrossedLine> crossedLineOf(const Tags& tags)
 {
     if (isOneWord(valueOf(tags, "highway"),
-                  {"path", "footway", "cycleway", "track", "bridleway", "pedestrian"}))
+                  {"path", "footway", "cycleway", "track", "bridleway", "pedestrian", "steps"}))
         return CrossedLine{CrossedKind::path, widthOf(tags, 2.5)};
     const std::string_view water = valueOf(tags, "waterway"), air = valueOf(tags, "aeroway");
     if (isOneWord(water, {"river", "canal"}))
@@ -83,50 +82,33 @@ double apartOf(CrossedKind kind)
     return kRoadDeckM + kSmallRoundM + (kind == CrossedKind::path ? kPathClearM : kWaterClearM);
 }
 
-struct PlanPiece
+/// Where bridges stand over an area of water: places along them, so that all of it keeps clear.
+void addWater(const LandShape& water, const PlanPieces& pieces, const StreetGraph& graph,
+              const std::vector<CentreLine>& lines, const MapPlane& plane, std::vector<CrossedPlace>& found)
 {
-    std::size_t chain = 0, piece = 0;
-    glm::dvec2 from{0.0}, to{0.0};
-};
-
-/// The pieces of streets, by a grid.
-class PlanPieces
-{
-public:
-    PlanPieces(const StreetGraph& graph, const std::vector<glm::dvec2>& places)
+    constexpr double kEachM = 5.0;
+    const auto rings = plane.toPlan(water.paths);
+    if (!rings) return;
+    const WayLevel level = levelOf(water.tags);
+    const auto look = [&](const PlanPiece& piece)
     {
-        for (std::size_t chain = 0; chain < graph.chains.size(); ++chain)
-            for (std::size_t piece = 0; piece < graph.chains[chain].pieces.size(); ++piece)
-            {
-                const auto& points = graph.chains[chain].points;
-                const PlanPiece made{chain, piece, places[points[piece]], places[points[piece + 1]]};
-                _grid.add(_pieces.size(), {glm::min(made.from, made.to), glm::max(made.from, made.to)});
-                _pieces.push_back(made);
-            }
-    }
-
-    /// Calls `use(piece, share of it, share of the line)` for each piece that a line crosses, but at points
-    /// in common.
-    template<class Use>
-    void crossing(const glm::dvec2& from, const glm::dvec2& to, const Use& use) const
-    {
-        const auto look = [&](std::size_t i)
+        const StreetTraits& traits = graph.traitsAt(graph.chains[piece.chain], piece.piece);
+        if (traits.place != StreetPlace::bridge || aboveOf(traits.level(), level) < 0) return;
+        const auto& pointsM = lines[piece.chain].pointsM();
+        const double lengthM = glm::distance(piece.from, piece.to);
+        const int steps = std::max(1, static_cast<int>(std::ceil(lengthM / kEachM)));
+        for (int step = 0; step < steps; ++step)
         {
-            const PlanPiece& piece = _pieces[i];
-            const auto shares = crossingShares(piece.from, piece.to, from, to);
-            if (!shares) return;
-            const glm::dvec2 at = glm::mix(from, to, shares->y);
-            const auto isAt = [&](const glm::dvec2& end) { return glm::distance(end, at) < kSamePlaceM; };
-            if ((isAt(from) || isAt(to)) && (isAt(piece.from) || isAt(piece.to))) return;
-            use(piece, *shares);
-        };
-        _grid.near({glm::min(from, to), glm::max(from, to)}, look);
-    }
-
-private:
-    std::vector<PlanPiece> _pieces;
-    PlanGrid _grid;
-};
+            const double share = (step + 0.5) / steps;
+            const glm::dvec2 place = glm::mix(piece.from, piece.to, share);
+            if (!scenery::isWithin(*rings, place)) continue;
+            found.push_back({CrossedKind::water, piece.chain,
+                             std::lerp(pointsM[piece.piece], pointsM[piece.piece + 1], share),
+                             0.5 * lengthM / steps, place, true, apartOf(CrossedKind::water), water.id});
+        }
+    };
+    pieces.near(boxOf(rings->front()), look);
+}
 
 } // namespace
 
@@ -138,6 +120,7 @@ std::vector<CrossedPlace> crossedPlaces(const StreetGraph& graph, const std::vec
     const PlanPieces pieces(graph, places);
     for (const LandShape& shape : land.shapes)
     {
+        if (isWater(shape)) addWater(shape, pieces, graph, lines, plane, found);
         if (shape.form != ShapeForm::line) continue;
         const auto line = crossedLineOf(shape.tags);
         const auto paths = line ? plane.toPlan(shape.paths) : std::nullopt;

@@ -34,9 +34,9 @@ struct CrossedPlace
     std::int64_t way = 0; ///< of the map
 };
 
-/// Finds where bridges of streets and railways pass over paths and water, ways without a bridge over rivers
-/// and canals, and where they pass under runways and taxiways. Ways with a point in common meet at one level,
-/// and are left out; so are culverts: a stream below a street without a bridge.
+/// Finds where bridges of streets and railways pass over paths, lines and areas of water, ways without a
+/// bridge over rivers and canals, and where they pass under runways and taxiways. Ways with a point in common
+/// meet at one level, and are left out; so are culverts: a stream below a street without a bridge.
 /// Cost: near-linear (a grid). `places`: of the map's nodes.
 std::vector<CrossedPlace> crossedPlaces(const StreetGraph& graph, const std::vector<glm::dvec2>& places,
                                         const std::vector<CentreLine>& lines, const LandMap& land,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 #include <utility>
 
 namespace worldmaking
@@ -44,9 +45,11 @@ public:
     void addLostCrossed()
     {
         Kind kind("streets pass too close over or under what they cross");
+        std::set<std::pair<std::size_t, std::int64_t>> told; // a bridge over an area has many places
         for (const std::size_t i : _facts.heights.lostCrossed)
         {
             const CrossedPlace& place = _facts.crossings.crossed[i];
+            if (!told.emplace(place.chain, place.way).second) continue;
             const char* what = place.kind == CrossedKind::path    ? "a path"
                                : place.kind == CrossedKind::water ? "water"
                                                                   : "a runway or taxiway";
@@ -74,6 +77,9 @@ public:
         Kind kind("crossings are left open by the map");
         for (const Overpass& pass : _facts.crossings.untold)
         {
+            const auto isTram = [&](std::size_t chain, double alongM)
+            { return traitsAt(chain, alongM).kind == "tram"; };
+            if (isTram(pass.upper, pass.upperM) || isTram(pass.lower, pass.lowerM)) continue; // as everywhere
             const bool isRail =
                 traitsAt(pass.upper, pass.upperM).isTrack != traitsAt(pass.lower, pass.lowerM).isTrack;
             add(kind,

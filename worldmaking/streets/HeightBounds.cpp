@@ -88,11 +88,11 @@ private:
 
 } // namespace
 
-std::vector<DugTunnel> dugTunnels(const HeightNodes& nodes, std::size_t rows,
-                                  const std::vector<double>& wishesM, const GroundHeight& ground)
+std::vector<DugTunnel> dugTunnels(const HeightNodes& nodes, const std::vector<double>& wishesM,
+                                  const GroundHeight& ground)
 {
     std::vector<DugTunnel> dug;
-    for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t r = 0; r < nodes.rows.size(); ++r)
     {
         const HeightRow& row = nodes.rows[r];
         const auto isCovered = [&](std::size_t k)

@@ -20,9 +20,9 @@ struct DugTunnel
 };
 
 /// Finds the tunnels that no hill covers, or a part of which none covers: they are dug in, from one portal to
-/// the other. A tunnel that a hill covers begins at the ground. `rows`: so many are looked at.
-std::vector<DugTunnel> dugTunnels(const HeightNodes& nodes, std::size_t rows,
-                                  const std::vector<double>& wishesM, const GroundHeight& ground);
+/// the other. A tunnel that a hill covers begins at the ground.
+std::vector<DugTunnel> dugTunnels(const HeightNodes& nodes, const std::vector<double>& wishesM,
+                                  const GroundHeight& ground);
 
 /// Returns between which heights nodes lie: tunnels below the ground, streets over and under what they cross
 /// that has a height of its own, bridges over what stays on the ground, and what is sunk under it; where both

@@ -115,7 +115,7 @@ StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>&
     const auto ties = closeStreets(nodes, halfWidthsOf(graph));
     const auto wishesM = smoothGround(nodes, ground, ties);
     FitLimits limits = limitsOf(nodes, cuts, crossings);
-    const auto tunnels = dugTunnels(nodes, crossings.tracks, wishesM, ground);
+    const auto tunnels = dugTunnels(nodes, wishesM, ground);
     limits.bounds = heightBoundsOf(nodes, cuts, tunnels, crossings, wishesM, ground);
     const FittedHeights fitted = fitToLimits(graph, nodes, wishesM, limits);
     const auto planeAt = [&](int crossing)

@@ -20,6 +20,10 @@ struct Track
     std::vector<double> heightsM; ///< of the formation at each point: kRailTopM below the top of the rails
     StreetPlace place = StreetPlace::ground;
     bool isOffGround = false; ///< it needs a cutting or an embankment somewhere
+    bool isInStreet = false;  ///< its rails lie in the surface of a street, which carries them
+    bool isPortalAtStart = false, isPortalAtEnd = false; ///< of a tunnel
+    /// of a tunnel: the track beside is in the same tube
+    bool isOpenLeft = false, isOpenRight = false;
 };
 
 } // namespace worldmaking

@@ -30,8 +30,12 @@ struct TrackClass
     double steepest;
 };
 
-constexpr std::array<TrackClass, 4> kTrackClasses{
-    {{"rail", 0.04}, {"preserved", 0.04}, {"light_rail", 0.06}, {"narrow_gauge", 0.07}}};
+constexpr std::array<TrackClass, 6> kTrackClasses{{{"rail", 0.04},
+                                                   {"preserved", 0.04},
+                                                   {"light_rail", 0.06},
+                                                   {"subway", 0.05},
+                                                   {"narrow_gauge", 0.07},
+                                                   {"tram", 0.12}}};
 constexpr double kMainLine = 0.025;
 
 using NodeKey = std::pair<std::int64_t, std::int64_t>;
@@ -42,83 +46,188 @@ NodeKey keyOf(double latitudeDeg, double longitudeDeg)
     return {std::llround(latitudeDeg * kPerDegree), std::llround(longitudeDeg * kPerDegree)};
 }
 
+/// A place along a chain, before chains are cut.
+struct TrackPlace
+{
+    glm::dvec2 place{0.0};
+    double alongM = 0.0, heightM = 0.0;
+    std::optional<double> streetM; ///< of the street whose lanes the rails lie in
+};
+
 /// Cuts one chain of railways into stretches.
 class TrackCutter
 {
 public:
-    TrackCutter(const StreetGraph& graph, const std::vector<CentreLine>& lines,
-                const std::vector<glm::dvec2>& places, const StreetHeights& heights,
-                const std::vector<TrackSpan>& spans, const GroundHeight& ground)
-        : _graph(graph), _lines(lines), _places(places), _heights(heights), _spans(spans), _ground(ground)
-    {
-    }
+    explicit TrackCutter(const TrackSources& from) : _from(from) {}
 
     void cut(std::size_t index)
     {
-        const StreetChain& chain = _graph.chains[index];
-        const auto& pointsM = _lines[index].pointsM();
+        const StreetChain& chain = _from.graph.chains[index];
+        const auto& pointsM = _from.lines[index].pointsM();
+        std::vector<TrackPlace> places;
+        std::vector<std::size_t> pieces; // of each step
         for (std::size_t piece = 0; piece < chain.pieces.size(); ++piece)
         {
-            const glm::dvec2 from = _places[chain.points[piece]], to = _places[chain.points[piece + 1]];
+            const glm::dvec2 from = _from.places[chain.points[piece]],
+                             to = _from.places[chain.points[piece + 1]];
             const double lengthM = glm::distance(from, to);
+            if (lengthM < 1e-6) continue;
             const int steps = std::max(1, static_cast<int>(std::ceil(lengthM / kTrackStepM)));
-            for (int step = 0; step < steps; ++step)
+            for (int step = places.empty() ? 0 : 1; step <= steps; ++step)
             {
-                const double share = (step + 0.5) / steps;
-                begin(index, piece, std::lerp(pointsM[piece], pointsM[piece + 1], share));
-                for (const int end : {step, step + 1})
-                    add(index, glm::mix(from, to, static_cast<double>(end) / steps),
-                        std::lerp(pointsM[piece], pointsM[piece + 1], static_cast<double>(end) / steps));
+                const double share = static_cast<double>(step) / steps;
+                places.push_back({glm::mix(from, to, share),
+                                  std::lerp(pointsM[piece], pointsM[piece + 1], share), 0.0, std::nullopt});
+                if (places.size() > 1) pieces.push_back(piece);
             }
         }
+        if (places.size() < 2) return;
+        setHeights(index, pieces, places);
         _isOpen = false;
+        for (std::size_t i = 0; i + 1 < places.size(); ++i)
+            addStep(index, pieces[i], places[i], places[i + 1]);
     }
 
     std::vector<Track> tracks;
 
 private:
-    /// Goes on with the last stretch, or begins one.
-    void begin(std::size_t index, std::size_t piece, double alongM)
+    StreetPlace placeAt(std::size_t index, std::size_t piece, double alongM) const
     {
-        const StreetChain& chain = _graph.chains[index];
-        const auto shape = static_cast<std::size_t>(chain.pieces[piece].way);
-        StreetPlace place = _graph.traitsAt(chain, piece).place;
-        for (const TrackSpan& span : _spans)
-            if (span.chain == index && alongM >= span.fromM && alongM <= span.toM)
-                place = StreetPlace::bridge;
-        if (_isOpen && tracks.back().shape == shape && tracks.back().place == place) return;
-        tracks.push_back({shape, {}, {}, place});
-        _isOpen = true;
+        for (const TrackSpan& span : _from.spans)
+            if (span.chain == index && alongM >= span.fromM && alongM <= span.toM) return StreetPlace::bridge;
+        return _from.graph.traitsAt(_from.graph.chains[index], piece).place;
     }
 
-    void add(std::size_t index, const glm::dvec2& place, double alongM)
+    void setHeights(std::size_t index, const std::vector<std::size_t>& pieces,
+                    std::vector<TrackPlace>& places) const
     {
-        Track& track = tracks.back();
-        if (!track.points.empty() && glm::distance(track.points.back(), place) < 1e-6) return;
-        double heightM = _heights.profiles[index].elevation.value(alongM);
-        for (const LevelHeight& level : _heights.levels)
+        const auto& elevation = _from.heights.profiles[index].elevation;
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+            TrackPlace& at = places[i];
+            const std::size_t piece = pieces[std::min(i, pieces.size() - 1)];
+            at.heightM = elevation.value(at.alongM);
+            const std::string& kind = _from.graph.traitsAt(_from.graph.chains[index], piece).kind;
+            if (kind == "tram" || kind == "light_rail")
+                at.streetM = _from.streetAt(at.place, placeAt(index, piece, at.alongM), at.heightM);
+        }
+        const std::vector<TrackPlace> own = places;
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+            const auto easeM =
+                easedM(own, i); // a crossing near a street that the rails lie in is one with it
+            places[i].heightM = own[i].streetM ? *own[i].streetM + kFlushM - kRailTopM
+                                               : own[i].heightM + (easeM ? *easeM : flushM(index, own[i]));
+        }
+    }
+
+    /// By how much rails leave their own height towards the streets before and behind; nothing: none is near.
+    static std::optional<double> easedM(const std::vector<TrackPlace>& places, std::size_t at)
+    {
+        double sumM = 0.0, weights = 0.0;
+        const double endM =
+            std::min(places[at].alongM - places.front().alongM, places.back().alongM - places[at].alongM);
+        const auto look = [&](const TrackPlace& other)
+        {
+            const double awayM = std::fabs(other.alongM - places[at].alongM);
+            const double share = glm::smoothstep(0.0, 1.0, awayM / kEaseM);
+            const double weight = (1.0 - share) * std::min(1.0, endM / kTrackStepM);
+            sumM += weight * (*other.streetM + kFlushM - kRailTopM - other.heightM);
+            weights += weight;
+        };
+        for (std::size_t i = at; i-- > 0 && places[at].alongM - places[i].alongM < kEaseM;)
+            if (places[i].streetM)
+            {
+                look(places[i]);
+                break;
+            }
+        for (std::size_t i = at + 1; i < places.size() && places[i].alongM - places[at].alongM < kEaseM; ++i)
+            if (places[i].streetM)
+            {
+                look(places[i]);
+                break;
+            }
+        return weights > 0.0 ? std::optional(sumM / std::max(1.0, weights)) : std::nullopt;
+    }
+
+    /// By how much rails come to the street of a level crossing.
+    double flushM(std::size_t index, const TrackPlace& at) const
+    {
+        double sumM = 0.0;
+        for (const LevelHeight& level : _from.heights.levels)
         {
             if (level.track != index) continue;
-            const double away = std::fabs(alongM - level.trackM) / kEaseM;
+            const double away = std::fabs(at.alongM - level.trackM) / kEaseM;
             if (away >= 1.0) continue;
-            const double flushM = level.streetM + kFlushM - kRailTopM;
-            const double wasM = _heights.profiles[index].elevation.value(level.trackM);
-            heightM += (flushM - wasM) * (1.0 - glm::smoothstep(0.0, 1.0, away));
+            const double wasM = _from.heights.profiles[index].elevation.value(level.trackM);
+            sumM += (level.streetM + kFlushM - kRailTopM - wasM) * (1.0 - glm::smoothstep(0.0, 1.0, away));
         }
-        const auto groundM = _ground(place);
-        track.isOffGround = track.isOffGround || (groundM && std::fabs(*groundM - heightM) > kOffGroundM);
-        track.points.push_back(place);
-        track.heightsM.push_back(heightM);
+        return sumM;
     }
 
-    const StreetGraph& _graph;
-    const std::vector<CentreLine>& _lines;
-    const std::vector<glm::dvec2>& _places;
-    const StreetHeights& _heights;
-    const std::vector<TrackSpan>& _spans;
-    const GroundHeight& _ground;
+    /// Goes on with the last stretch, or begins one.
+    void addStep(std::size_t index, std::size_t piece, const TrackPlace& from, const TrackPlace& to)
+    {
+        const auto shape = static_cast<std::size_t>(_from.graph.chains[index].pieces[piece].way);
+        const StreetPlace place = placeAt(index, piece, 0.5 * (from.alongM + to.alongM));
+        const bool isInStreet = from.streetM && to.streetM;
+        const bool goesOn = _isOpen && tracks.back().shape == shape && tracks.back().place == place &&
+                            tracks.back().isInStreet == isInStreet;
+        if (!goesOn)
+        {
+            const bool isTube = place == StreetPlace::tunnel;
+            const bool wasTube = _isOpen && tracks.back().place == StreetPlace::tunnel;
+            if (wasTube && !isTube) tracks.back().isPortalAtEnd = true;
+            Track track;
+            track.shape = shape, track.place = place, track.isInStreet = isInStreet;
+            track.isPortalAtStart = isTube && _isOpen && !wasTube;
+            tracks.push_back(std::move(track));
+            add(from);
+        }
+        _isOpen = true;
+        add(to);
+    }
+
+    void add(const TrackPlace& at)
+    {
+        Track& track = tracks.back();
+        const auto groundM = _from.ground(at.place);
+        const bool isOff = groundM && std::fabs(*groundM - at.heightM) > kOffGroundM;
+        track.isOffGround = track.isOffGround || (isOff && !track.isInStreet);
+        track.points.push_back(at.place);
+        track.heightsM.push_back(at.heightM);
+    }
+
+    const TrackSources& _from;
     bool _isOpen = false;
 };
+
+/// Finds tracks that run beside each other in tunnels.
+void shareTubes(std::vector<Track>& tracks)
+{
+    constexpr double kOneTubeM = 6.5, kOneLevelM = 1.5;
+    for (Track& track : tracks)
+    {
+        if (track.place != StreetPlace::tunnel || track.points.size() < 2) continue;
+        const std::size_t k = (track.points.size() - 1) / 2;
+        const glm::dvec2 middle = 0.5 * (track.points[k] + track.points[k + 1]),
+                         along = glm::normalize(track.points[k + 1] - track.points[k]),
+                         left(-along.y, along.x);
+        for (const Track& other : tracks)
+        {
+            if (&other == &track || other.place != StreetPlace::tunnel) continue;
+            for (std::size_t i = 0; i < other.points.size(); ++i)
+            {
+                const glm::dvec2 away = other.points[i] - middle;
+                const double aside = glm::dot(away, left);
+                if (std::fabs(glm::dot(away, along)) > kTrackStepM || std::fabs(aside) > kOneTubeM ||
+                    std::fabs(aside) < 1.0 || std::fabs(other.heightsM[i] - track.heightsM[k]) > kOneLevelM)
+                    continue;
+                (aside > 0.0 ? track.isOpenLeft : track.isOpenRight) = true;
+            }
+        }
+    }
+}
 
 } // namespace
 
@@ -230,14 +339,12 @@ std::vector<LevelPlace> levelPlaces(const StreetGraph& graph, std::size_t tracks
     return found;
 }
 
-std::vector<Track> tracksWithHeights(const StreetGraph& graph, std::size_t tracks,
-                                     const std::vector<CentreLine>& lines,
-                                     const std::vector<glm::dvec2>& places, const StreetHeights& heights,
-                                     const std::vector<TrackSpan>& spans, const GroundHeight& ground)
+std::vector<Track> tracksWithHeights(const TrackSources& from)
 {
-    TrackCutter cutter(graph, lines, places, heights, spans, ground);
-    for (std::size_t i = tracks; i < graph.chains.size(); ++i)
+    TrackCutter cutter(from);
+    for (std::size_t i = from.tracks; i < from.graph.chains.size(); ++i)
         cutter.cut(i);
+    shareTubes(cutter.tracks);
     return std::move(cutter.tracks);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,10 +23,14 @@ struct TrackSpan
     double fromM = 0.0, toM = 0.0;
 };
 
-/// Returns the traits of a railway that has heights of its own: its grade, its level, a contact wire. Nothing
-/// for trams, which run in streets, and for what is not drawn.
+/// The height of the street whose lanes lie at a place, of those on the ground, on bridges or in tunnels the
+/// one nearest to a height; nothing: no lanes.
+using StreetSurface =
+    std::function<std::optional<double>(const glm::dvec2& place, StreetPlace on, double nearM)>;
+
+/// Returns the traits of a railway: its grade, its level, a contact wire. Nothing for what is not drawn.
 /// Source of grades: German EBO, section 7, 40 per mille on branch lines, 12.5 on main lines, which lie on
-/// ground that is coarser than they are, so 25 here; BOStrab.
+/// ground that is coarser than they are, so 25 here; trams climb as streets do (BOStrab).
 std::optional<StreetTraits> trackTraitsOf(const Tags& tags);
 
 /// Returns the railways of a map as ways whose ids are the numbers of their shapes. `nodes`: of the streets;
@@ -43,11 +48,21 @@ StreetGraph joined(const StreetGraph& streets, const StreetGraph& tracks);
 std::vector<LevelPlace> levelPlaces(const StreetGraph& graph, std::size_t tracks,
                                     const std::vector<CentreLine>& lines);
 
-/// Cuts railways into stretches by way, bridge and tunnel, and puts the rails of level crossings flush with
-/// the street. `ground`: in the plan.
-std::vector<Track> tracksWithHeights(const StreetGraph& graph, std::size_t tracks,
-                                     const std::vector<CentreLine>& lines,
-                                     const std::vector<glm::dvec2>& places, const StreetHeights& heights,
-                                     const std::vector<TrackSpan>& spans, const GroundHeight& ground);
+/// What tracks are cut from. All must outlive the call.
+struct TrackSources
+{
+    const StreetGraph& graph;
+    std::size_t tracks; ///< the first chain of a railway
+    const std::vector<CentreLine>& lines;
+    const std::vector<glm::dvec2>& places; ///< of nodes
+    const StreetHeights& heights;
+    const std::vector<TrackSpan>& spans;
+    const GroundHeight& ground; ///< in the plan
+    const StreetSurface& streetAt;
+};
+
+/// Cuts railways into stretches by way, bridge, tunnel and street, and puts rails flush with the street: at
+/// level crossings, and those of trams wherever they run in lanes. Tracks beside each other share a tube.
+std::vector<Track> tracksWithHeights(const TrackSources& from);
 
 } // namespace worldmaking

@@ -36,6 +36,15 @@ inline Profile boxProfile(double half, double low, double high)
     return {{-half, low}, {half, low}, {half, high}, {-half, high}};
 }
 
+/// The cross-section of a tube, and of a portal: a wall with level top around the mouth. A ring: the outside
+/// from the left foot over the crown to the right one, then the inside back. `half`: the inside's half width.
+Profile tunnelLining(const osgRoads::core::TunnelTube& tube, double half);
+Profile tunnelPortal(const osgRoads::core::TunnelTube& tube, double half);
+
+/// The cross-section of a portal behind its front, where it hides the tube that the ground does not cover
+/// yet: as the front outside, within the lining inside.
+Profile tunnelPortalBack(osgRoads::core::TunnelTube tube, double half);
+
 /// Adds a tunnel: tube, portals and lamps.
 void placeTunnel(const osgRoads::core::PlacedNetwork& placed, int road,
                  const osgRoads::core::RoadStructure& tunnel, RoadThings& into);

@@ -21,6 +21,7 @@ using osgRoads::core::TunnelTube;
 
 constexpr double kLampEveryM = 10.0, kLampLengthM = 1.6, kLampWidthM = 0.35;
 constexpr double kKnee = TunnelTube::kKneeShare;
+constexpr double kPortalBackM = 7.0; ///< of a portal, into the hill: so far the ground rises over the tube
 
 /// A ring around the inside of the tube, from the right foot over the crown to the left one and back.
 Profile ringAround(const TunnelTube& tube, double half, Profile outside)
@@ -30,34 +31,6 @@ Profile ringAround(const TunnelTube& tube, double half, Profile outside)
                          {half, tube.feetM}};
     outside.insert(outside.end(), inside.begin(), inside.end()); // outside counter-clockwise, inside back
     return outside;
-}
-
-Profile lining(const TunnelTube& tube, double half)
-{
-    const double thick = tube.liningM, wide = half + thick, knee = kKnee * half + 0.5 * thick;
-    return ringAround(tube, half,
-                      {{wide, tube.feetM},
-                       {wide, tube.wallM + 0.5 * thick},
-                       {knee, tube.kneeM + thick},
-                       {0.0, tube.crownM + thick},
-                       {-knee, tube.kneeM + thick},
-                       {-wide, tube.wallM + 0.5 * thick},
-                       {-wide, tube.feetM}});
-}
-
-/// The front of a portal: a wall with level top around the mouth.
-Profile portal(const TunnelTube& tube, double half)
-{
-    const double wide = half + tube.liningM + tube.portalSideM;
-    const double high = tube.crownM + tube.liningM + tube.portalRoofM;
-    return ringAround(tube, half,
-                      {{wide, tube.feetM},
-                       {wide, high},
-                       {kKnee * wide, high},
-                       {0.0, high},
-                       {-kKnee * wide, high},
-                       {-wide, high},
-                       {-wide, tube.feetM}});
 }
 
 /// Adds a walkway between lanes and wall. `side`: 1 to the left.
@@ -98,6 +71,41 @@ void addLamps(const PlacedNetwork& placed, int road, const TunnelTube& shape, co
 
 } // namespace
 
+Profile tunnelLining(const TunnelTube& tube, double half)
+{
+    const double thick = tube.liningM, wide = half + thick, knee = kKnee * half + 0.5 * thick;
+    return ringAround(tube, half,
+                      {{wide, tube.feetM},
+                       {wide, tube.wallM + 0.5 * thick},
+                       {knee, tube.kneeM + thick},
+                       {0.0, tube.crownM + thick},
+                       {-knee, tube.kneeM + thick},
+                       {-wide, tube.wallM + 0.5 * thick},
+                       {-wide, tube.feetM}});
+}
+
+Profile tunnelPortal(const TunnelTube& tube, double half)
+{
+    const double wide = half + tube.liningM + tube.portalSideM;
+    const double high = tube.crownM + tube.liningM + tube.portalRoofM;
+    return ringAround(tube, half,
+                      {{wide, tube.feetM},
+                       {wide, high},
+                       {kKnee * wide, high},
+                       {0.0, high},
+                       {-kKnee * wide, high},
+                       {-wide, high},
+                       {-wide, tube.feetM}});
+}
+
+Profile tunnelPortalBack(TunnelTube tube, double half)
+{
+    const double withinM = 0.5 * tube.liningM;
+    tube.wallM += withinM, tube.kneeM += withinM, tube.crownM += withinM;
+    tube.portalSideM -= withinM, tube.portalRoofM -= withinM;
+    return tunnelPortal(tube, half + withinM);
+}
+
 void placeTunnel(const PlacedNetwork& placed, int road, const RoadStructure& tunnel, RoadThings& into)
 {
     const Road& plain = placed.road(road);
@@ -105,19 +113,32 @@ void placeTunnel(const PlacedNetwork& placed, int road, const RoadStructure& tun
     RoadLine tube = concreteLine(tunnel);
     tube.tint = {0.58F, 0.57F, 0.55F};
     tube.lineT = [&plain, shape](double s) { return tunnelSides(plain, s, shape).middle(); };
-    tube.profileAt = [&plain, shape](double s) { return lining(shape, tunnelSides(plain, s, shape).half()); };
+    tube.profileAt = [&plain, shape](double s)
+    { return tunnelLining(shape, tunnelSides(plain, s, shape).half()); };
     addRoadLine(placed, road, tube, into);
     addLamps(placed, road, shape, tube, into);
     for (const int side : {1, -1})
         addWalkway(placed, road, shape, side, tube, into);
     RoadLine front = tube;
     front.profileAt = [&plain, shape](double s)
-    { return portal(shape, tunnelSides(plain, s, shape).half()); };
+    { return tunnelPortal(shape, tunnelSides(plain, s, shape).half()); };
     for (const double from : {tunnel.s - shape.portalM, tunnel.s + tunnel.length})
     {
         front.s = from;
         front.sEnd = from + shape.portalM;
         addRoadLine(placed, road, front, into);
+    }
+    RoadLine back = tube;
+    back.profileAt = [&plain, shape](double s)
+    { return tunnelPortalBack(shape, tunnelSides(plain, s, shape).half()); };
+    const double backM = std::min(kPortalBackM, 0.5 * tunnel.length);
+    for (const double from : {tunnel.s, tunnel.s + tunnel.length - backM})
+    {
+        back.s = from;
+        back.sEnd = from + backM;
+        if (osgRoads::core::depthInTunnel(plain, tunnel,
+                                          from == tunnel.s ? tunnel.s : tunnel.s + tunnel.length) < 1.0)
+            addRoadLine(placed, road, back, into); // not at the road's own end, where the tube goes on
     }
 }
 

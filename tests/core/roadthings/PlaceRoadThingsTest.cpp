@@ -172,8 +172,8 @@ TEST(PlaceRoadThings, RailsBridgesAndTunnelsAreWholeModels)
     const auto things =
         roads::placeRoadThings(osgRoads::core::PlacedNetwork(network), [](double, double) { return -9.0; });
     // Rail: 3 pieces. Bridge: two edges with three bars each, a deck, two piers. Tunnel: tube, two walkways
-    // and two portals.
-    EXPECT_EQ(things.own.size(), 3U + 11U + 5U);
+    // and two portals, each with what hides the tube behind it.
+    EXPECT_EQ(things.own.size(), 3U + 11U + 7U);
     EXPECT_EQ(things.lamps.size(), 2U * 5U); // every 10 m of 50, in two rows
     // Posts of both railings every 2 m of 60; the rail is too low for posts.
     EXPECT_EQ(things.standing.size(), 2U * 30U);

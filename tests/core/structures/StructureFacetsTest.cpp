@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "scenery/structures/Beams.h"
+#include "scenery/structures/RailTube.h"
 
 using scenery::Facets;
 using scenery::Structure;
@@ -148,6 +149,86 @@ TEST(Structures, ARailwayWithHeightsLiesOnThem)
         EXPECT_TRUE(structureOf({{0, 0}, {50, 0}, {100, 0}}, {{"railway", "rail"}, {"heights", wrong}}, 1)
                         ->heightsM.empty())
             << wrong;
+}
+
+TEST(Structures, ATunnelOfARailwayHasATubeWithPortalsThatTakesTheGround)
+{
+    const scenery::StructureTags tags{
+        {"railway", "rail"}, {"tunnel", "yes"}, {"heights", "190;190;190"}, {"portals", "start"}};
+    const auto made = structureOf({{0, 0}, {50, 0}, {100, 0}}, tags, 1);
+    ASSERT_TRUE(made);
+    EXPECT_TRUE(made->isTunnel && made->isPortalAtStart);
+    EXPECT_FALSE(made->isPortalAtEnd);
+    std::size_t beyond = 0;
+    const auto level = [](double, double) { return std::optional(200.0); };
+    double high = -1e9, front = 1e9, left = -1e9, right = 1e9;
+    for (const auto& [number, square] : scenery::structureFacets({&*made, 1}, level, beyond))
+        for (const Facets* part : {&square.low})
+            for (const glm::vec3& position : part->positions)
+            {
+                high = std::max(high, square.origin.z + position.z);
+                front = std::min(front, square.origin.x + position.x);
+                left = std::max(left, square.origin.y + position.y);
+                right = std::min(right, square.origin.y + position.y);
+            }
+    EXPECT_NEAR(high, 198.0, 0.5) << "a portal";
+    EXPECT_NEAR(left, 4.6, 0.01) << "as wide on both sides";
+    EXPECT_NEAR(right, -4.6, 0.01);
+    EXPECT_NEAR(front, -0.8, 0.01) << "before the first point";
+    const auto openings = scenery::railOpenings({&*made, 1});
+    ASSERT_EQ(openings.size(), 1u);
+    EXPECT_EQ(openings[0].line.size(), 4u);
+    EXPECT_GT(openings[0].roofM(0.0), 6.0) << "room for a wire";
+    auto open = tags;
+    open["tunnel"] = "no";
+    const auto onGround = structureOf({{0, 0}, {50, 0}, {100, 0}}, open, 1);
+    EXPECT_TRUE(scenery::railOpenings({&*onGround, 1}).empty());
+}
+
+TEST(Structures, AFootbridgeHasADeckRailingsAndPiersAndARampIsSolid)
+{
+    const auto bridge =
+        structureOf({{0, 0}, {20, 0}},
+                    {{"kind", "footbridge"}, {"width", "3"}, {"heights", "205;205"}, {"piers", "10"}}, 1);
+    const auto ramp =
+        structureOf({{0, 0}, {20, 0}}, {{"kind", "footramp"}, {"width", "3"}, {"heights", "205;205"}}, 1);
+    ASSERT_TRUE(bridge && ramp);
+    EXPECT_EQ(bridge->piersM, std::vector{10.0});
+    const auto level = [](double, double) { return std::optional(200.0); };
+    const auto span = [&](const Structure& made, double eastM)
+    {
+        std::size_t beyond = 0;
+        double low = 1e9, high = -1e9;
+        for (const auto& [number, square] : scenery::structureFacets({&made, 1}, level, beyond))
+            for (const glm::vec3& position : square.low.positions)
+                if (std::fabs(square.origin.x + position.x - eastM) < 1.0)
+                {
+                    low = std::min(low, square.origin.z + position.z);
+                    high = std::max(high, square.origin.z + position.z);
+                }
+        return std::pair(low, high);
+    };
+    EXPECT_NEAR(span(*bridge, 0.0).first, 204.5, 0.01) << "a deck";
+    EXPECT_NEAR(span(*bridge, 0.0).second, 206.13, 0.02) << "the bar of a railing";
+    EXPECT_LT(span(*bridge, 10.0).first, 199.5) << "a pier";
+    EXPECT_LT(span(*ramp, 0.0).first, 199.5);
+    EXPECT_FALSE(structureOf({{0, 0}, {20, 0}}, {{"kind", "footbridge"}, {"heights", "205"}}, 1));
+}
+
+TEST(Structures, RailsInAStreetHaveNeitherBedNorSleepers)
+{
+    const scenery::StructureTags tags{{"railway", "tram"}, {"heights", "200;200"}};
+    auto embedded = tags;
+    embedded["embedded"] = "yes";
+    std::size_t beyond = 0;
+    const auto level = [](double, double) { return std::optional(200.5); };
+    const auto count = [&](const scenery::StructureTags& of)
+    {
+        const auto made = structureOf({{0, 0}, {20, 0}}, of, 1);
+        return trianglesOf(scenery::structureFacets({&*made, 1}, level, beyond));
+    };
+    EXPECT_EQ(count(embedded), 20u) << "two rails";
+    EXPECT_GT(count(tags), 200u);
 }
 
 TEST(Structures, ARailwayBridgeIsStraight)

@@ -59,9 +59,9 @@ TEST(TagTable, ValuesThatCannotBeReadAreCountedOnOneLine)
     add({{"highway", "primary"}, {"lanes", "2;3"}, {"maxspeed", "DE:urban"}, {"oneway", "reversible"}});
     add({{"highway", "proposed"}, {"lanes", "2;3"}});
     const TagReport report = tagReportOf(map);
-    EXPECT_EQ(report.passedOver, (TagCounts{{"height=tall", 2}, {"lanes=many", 1}}));
+    EXPECT_EQ(report.passedOver, (TagCounts{{"height=tall", 2}, {"lanes=many", 1}, {"min_height=none", 1}}));
     EXPECT_EQ(report.approximated, (TagCounts{{"lanes=2;3", 1}, {"oneway=reversible", 1}}));
-    EXPECT_EQ(lineOf(report.passedOver), "height=tall 2, lanes=many 1");
+    EXPECT_EQ(lineOf(report.passedOver), "height=tall 2, lanes=many 1, min_height=none 1");
     EXPECT_EQ(lineOf({}), "");
     TagCounts many;
     for (int i = 0; i < 100; ++i)
