@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include <foundation/CsvCells.h>
 #include <foundation/Units.h>
@@ -11,6 +13,7 @@
 #include "simulation/parser/Expression.h"
 #include "simulation/track/ReadTrack.h"
 #include "simulation/track/TableColumns.h"
+#include "simulation/track/TableObjects.h"
 #include "simulation/track/TimeText.h"
 #include "simulation/track/TrackBuilder.h"
 #include "simulation/track/TrackTimes.h"
@@ -119,11 +122,10 @@ std::pair<std::string_view, std::string_view> partedAtComma(std::string_view cel
 class TableReader
 {
 public:
-    TableReader(const std::string& name, const TableColumns& columns)
-        : _columns(columns), _builder(name), _track(_builder.begin(name, columns.datum))
+    /// `names`: of the columns.
+    TableReader(const std::string& name, const TableColumns& columns, std::vector<std::string> names)
+        : _name(name), _columns(columns), _names(std::move(names)), _builder(name)
     {
-        _track.hasTimes = columns.time >= 0;
-        if (columns.isOfAircraft) _track.kind = TrackKind::aircraft;
     }
 
     TrackBuilder& builder() { return _builder; }
@@ -144,7 +146,7 @@ public:
         const auto latitude = coordinate(north, _isDecimalComma, 'N', 'S'),
                    longitude = coordinate(east, _isDecimalComma, 'E', 'W');
         const auto time =
-            _track.hasTimes ? timeOf(cell(_columns.time), cell(_columns.date)) : std::optional(0.0);
+            _columns.time >= 0 ? timeOf(cell(_columns.time), cell(_columns.date)) : std::optional(0.0);
         const auto height = heightIn(cell(_columns.height), _isDecimalComma, _columns.heightUnitM);
         if (!latitude || !longitude)
             _builder.problem(line, "latitude or longitude is no number");
@@ -153,18 +155,77 @@ public:
         else if (!height && !cell(_columns.height).empty())
             _builder.problem(line, "the height is no number");
         else
+        {
             _fixes.push_back({*time, *latitude, *longitude, height, line});
+            _ids.emplace_back();
+            for (const int column : _columns.ids)
+                _ids.back().emplace_back(trimmed(cell(column)));
+        }
     }
 
     foundation::Result<TrackReading> finish()
     {
-        if (_areTimesOfDay) addDays(_fixes);
-        for (const TrackFix& fix : _fixes)
-            _builder.add(_track, fix);
+        const auto by = partingId(_ids);
+        if (!by)
+            addTrack(_name, _fixes);
+        else
+            addTracks(*by);
         return _builder.finish();
     }
 
 private:
+    void addTrack(const std::string& name, std::vector<TrackFix>& fixes)
+    {
+        FlightTrack& track = _builder.begin(name, _columns.datum);
+        track.hasTimes = _columns.time >= 0;
+        if (_columns.isOfAircraft) track.kind = TrackKind::aircraft;
+        if (_areTimesOfDay) addDays(fixes);
+        for (const TrackFix& fix : fixes)
+            _builder.add(track, fix);
+    }
+
+    /// A track for each object, in the order in which the file has them.
+    void addTracks(std::size_t by)
+    {
+        std::map<std::string, std::size_t> places;
+        std::vector<std::pair<std::string, std::vector<TrackFix>>> objects;
+        for (std::size_t i = 0; i < _fixes.size(); ++i)
+        {
+            const std::string& id = _ids[i][by];
+            if (id.empty())
+            {
+                _builder.problem(_fixes[i].line,
+                                 "nothing in the column " + nameOf(by) + " tells whose row it is");
+                continue;
+            }
+            const auto [place, isNew] = places.try_emplace(id, objects.size());
+            if (isNew) objects.emplace_back(id, std::vector<TrackFix>{});
+            objects[place->second].second.push_back(_fixes[i]);
+        }
+        constexpr double kHalfDayS = 43'200.0;
+        const double firstS = _fixes.front().timeS;
+        std::string told;
+        for (std::size_t i = 0; i < objects.size(); ++i)
+        {
+            auto& [id, fixes] = objects[i];
+            // One that is first seen after midnight is a day later than the others.
+            if (_areTimesOfDay && fixes.front().timeS < firstS - kHalfDayS)
+                for (TrackFix& fix : fixes)
+                    fix.timeS += 2.0 * kHalfDayS;
+            addTrack(id, fixes);
+            constexpr std::size_t kTold = 8;
+            if (i < kTold) told += (i > 0 ? ", " : "") + id;
+            if (i == kTold) told += " ...";
+        }
+        _builder.note(1, std::to_string(objects.size()) + " tracks by the column " + nameOf(by) + ": " +
+                             told + "; --eye-entity NAME looks from another one");
+    }
+
+    const std::string& nameOf(std::size_t by) const
+    {
+        return _names[static_cast<std::size_t>(_columns.ids[by])];
+    }
+
     /// Seconds, milliseconds and so on since 1970 by their size; times of the day; dates and times.
     std::optional<double> timeOf(std::string_view cell, std::string_view date)
     {
@@ -186,10 +247,12 @@ private:
         return unixSeconds(cell);
     }
 
+    const std::string& _name;
     const TableColumns& _columns;
+    std::vector<std::string> _names;
     TrackBuilder _builder;
-    FlightTrack& _track;
     std::vector<TrackFix> _fixes;
+    std::vector<RowIds> _ids; ///< of each fix
     bool _isDecimalComma = false, _areTimesOfDay = false;
 };
 
@@ -224,7 +287,7 @@ foundation::Result<TrackReading> parseTrackTable(std::string_view text, const st
         return foundation::Error{name + ":" + std::to_string(line),
                                  "the first line names no columns for latitude and longitude",
                                  "begin with a line such as time,latitude,longitude,height"};
-    TableReader reader(name, columns);
+    TableReader reader(name, columns, record.cells);
     reader.builder().note(*read);
     while (!text.empty())
     {

@@ -72,6 +72,32 @@ std::optional<HeightKind> heightKind(const Words& words)
     return HeightKind{hasWord({words.front()}, names) ? 3 : 2, HeightDatum::meanSeaLevel};
 }
 
+/// The columns that may tell which object a row is of: by address, registration, number, then by names that
+/// may change on the way.
+std::vector<int> idColumns(const std::vector<std::string>& cells)
+{
+    constexpr std::string_view kNames[] = {
+        "icao24",     "icao",        "icaoaddress",  "icaohex",   "modes",    "hex",          "hexid",
+        "hexident",   "mmsi",        "registration", "reg",       "tail",     "tailnumber",   "tailnum",
+        "aircraftid", "aircraft",    "acid",         "vehicleid", "vehicle",  "vesselid",     "vessel",
+        "objectid",   "object",      "entityid",     "entity",    "deviceid", "device",       "droneid",
+        "uavid",      "tracknumber", "trackid",      "flightid",  "id",       "flightnumber", "callsign",
+        "ident",      "flight",      "name"};
+    std::vector<std::string> letters;
+    for (const std::string& cell : cells)
+    {
+        letters.emplace_back();
+        for (const char c : cell)
+            if (std::isalnum(static_cast<unsigned char>(c)))
+                letters.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    std::vector<int> columns;
+    for (const std::string_view name : kNames)
+        for (std::size_t i = 0; i < letters.size(); ++i)
+            if (letters[i] == name) columns.push_back(static_cast<int>(i));
+    return columns;
+}
+
 double timeUnit(const Words& words)
 {
     if (hasWord(words, {"ms", "msec", "millis", "millisecond", "milliseconds"})) return 1e-3;
@@ -94,6 +120,7 @@ TableColumns columnsOf(const std::vector<std::string>& cells)
     columns.longitude = columnOf(names, {"longitude", "lon", "lng", "long"});
     if (columns.latitude < 0 || columns.longitude < 0) columns.position = columnOf(names, {"position"});
     columns.isOfAircraft = columnOf(names, {"callsign", "icao", "squawk", "aircraft", "flight", "tail"}) >= 0;
+    columns.ids = idColumns(cells);
     int rank = -1;
     for (std::size_t i = 0; i < names.size(); ++i)
     {

@@ -21,6 +21,7 @@ struct TableColumns
     double heightUnitM = 1.0; ///< feet where the name says so, and beside a position in one cell
     HeightDatum datum = HeightDatum::meanSeaLevel;
     bool isOfAircraft = false; ///< a column names the aircraft
+    std::vector<int> ids{};    ///< that may tell which object a row is of, the surest first
 
     bool havePlace() const { return position >= 0 || (latitude >= 0 && longitude >= 0); }
 };
