@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
+#include "simulation/parser/Expression.h"
 #include "simulation/scenario/UsualVehicle.h"
 
 namespace simulation
@@ -61,6 +62,23 @@ void parsePerformance(ElementReader reader, Vehicle& vehicle)
                            performance.notNegative("maxDeceleration")};
 }
 
+/// Tells of a property of esmini's that moves the reference point of a vehicle forward, off its rear axle.
+void tellReferencePoint(ElementReader reader, const Properties& properties)
+{
+    if (!reader.context.options.tolerant) return;
+    for (const auto& [name, value] : properties.values)
+    {
+        if (name != "refpoint_x_offset") continue;
+        const std::optional<double> offset = parseNumber(value);
+        if (offset && *offset == 0.0) continue;
+        reader.context.add(
+            {Problem::Kind::approximated,
+             {reader.context.place(reader.node),
+              "the property refpoint_x_offset=\"" + value + "\" is not in effect",
+              "instead: places are those of the rear axle; subtract it from them, or take 0"}});
+    }
+}
+
 Vehicle parseVehicle(ElementReader reader)
 {
     reader.allowChildren({"ParameterDeclarations", "BoundingBox", "Performance", "Axles", "Properties",
@@ -85,6 +103,7 @@ Vehicle parseVehicle(ElementReader reader)
     }
     parseHitch(reader, vehicle);
     vehicle.properties = parseProperties(reader);
+    tellReferencePoint(reader, vehicle.properties);
     return vehicle;
 }
 

@@ -136,6 +136,25 @@ TEST(Slips, AxlesAreFittedIntoTheBox)
     EXPECT_NEAR(car.rearAxle.positionZM, 0.5 * car.rearAxle.wheelDiameterM, 1e-9);
 }
 
+/// Only a reference point that is moved is told.
+TEST(Slips, AReferencePointOffTheRearAxleIsTold)
+{
+    for (const auto& [value, count] : {std::pair("2.5", 1u), std::pair("-1", 1u), std::pair("1e1", 1u),
+                                       std::pair("0.0", 0u), std::pair("-0", 0u)})
+    {
+        ScenarioText text;
+        const std::size_t at = text.entities.find("<Properties/>");
+        text.entities.replace(at, 13,
+                              "<Properties><Property name=\"refpoint_x_offset\" value=\"" +
+                                  std::string(value) + "\"/></Properties>");
+        const auto parsed = parseScenario(text.text(), "test.xosc", {.tolerant = true, .parameters = {}});
+        ASSERT_TRUE(parsed);
+        ASSERT_EQ(parsed->problems.size(), count) << value;
+        for (const Problem& problem : parsed->problems)
+            EXPECT_NE(problem.error.message().find("refpoint_x_offset"), std::string::npos);
+    }
+}
+
 TEST(Slips, WhatTheMotionHangsOnIsRefusedAsBefore)
 {
     for (const auto& [good, bad] :
