@@ -24,7 +24,8 @@
 namespace simulation
 {
 class ExternalMotion;
-}
+class RoadScene;
+} // namespace simulation
 
 namespace trainer
 {
@@ -189,8 +190,9 @@ struct PlayRequest
     /// What moves entities in place of their actions. The play ends when all their controllers have done what
     /// they were told.
     std::map<std::string, std::shared_ptr<simulation::ExternalMotion>> motions{};
-    double longestS = 3600.0; ///< limit for a scenario that never ends
-    std::uint64_t seed = 0;   ///< of what the player leaves to chance
+    std::shared_ptr<const simulation::RoadScene> roadsUnder{}; ///< as PlayerOptions has them
+    double longestS = 3600.0;                                  ///< limit for a scenario that never ends
+    std::uint64_t seed = 0;                                    ///< of what the player leaves to chance
 };
 
 } // namespace trainer

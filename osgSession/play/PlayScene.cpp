@@ -114,6 +114,7 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
         stage.roads = inScene(std::move(*roads), terrain);
     }
     stage.motions = request.motions;
+    stage.roadsUnder = request.roadsUnder;
     return stage;
 }
 

@@ -16,12 +16,30 @@ namespace
 
 constexpr double kDuskDeg = 3.0; ///< of the sun, below which one drives with light
 
+std::string_view wordOf(VehicleCondition condition)
+{
+    if (condition == VehicleCondition::sound) return "sound";
+    return condition == VehicleCondition::crashed ? "crashed" : "failed";
+}
+
 std::string noteOf(const VehicleStatus& status, double timeS)
 {
     char time[40];
     std::snprintf(time, sizeof time, " after %.2f s: ", timeS);
-    return (status.condition == VehicleCondition::crashed ? "crashed" : "failed") + std::string(time) +
-           std::string(status.reason);
+    return std::string(wordOf(status.condition)) + time + std::string(status.reason);
+}
+
+/// The controls that tables have, of the inputs of a vehicle.
+void writeControls(DynamicVehicle& vehicle, VehicleReadings& readings)
+{
+    const std::span<const std::string_view> names = vehicle.inputNames();
+    const std::span<const double> inputs = vehicle.inputs();
+    for (std::size_t i = 0; i < kControlNames.size(); ++i)
+    {
+        const auto found = std::find(names.begin(), names.end(), kControlNames[i]);
+        if (found != names.end())
+            readings.controls[i] = inputs[static_cast<std::size_t>(found - names.begin())];
+    }
 }
 
 } // namespace
@@ -126,7 +144,10 @@ void VehicleMotion::publish(double timeS)
 {
     _state = entityStateOf(stateBetween(_vehicle->before(), _vehicle->now(), timeS - _startS),
                            _vehicle->vehicle().referencePoint());
+    _state.readings.emplace();
     _vehicle->vehicle().writeParts(_state);
+    writeControls(_vehicle->vehicle(), *_state.readings);
+    _state.readings->condition = wordOf(_vehicle->vehicle().status().condition);
     if (_state.lamps.contains("brakeLights") && !_state.lamps.contains("lowBeam"))
         _state.lamps["lowBeam"] = {_isDark ? LightMode::on : LightMode::off, 0.0, 0.0, 0.0, _isDark};
     _state.odometerM = _odometerM;

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "simulation/player/AircraftParts.h"
+#include "simulation/player/VehicleReadings.h"
 #include "simulation/road/RoadPlace.h"
 #include "simulation/scenario/AppearanceActions.h"
 
@@ -62,7 +63,9 @@ struct EntityState
         lamps{}; ///< that light states have switched, by the names of the standard
     /// the states of doors, motions … that animations have set, by the names of the standard
     std::map<std::string, double> animations{};
-    std::vector<int> collidesWith; ///< indices of the entities whose boxes overlap this one's
+    std::vector<int> collidesWith;             ///< indices of the entities whose boxes overlap this one's
+    std::string roadUnder{};                   ///< the id of the road of `laneUnder`, where a player tells it
+    std::optional<VehicleReadings> readings{}; ///< of one that moves by its own physics
 
     /// The rotation from the body to the scene. Its columns are forward, left and up.
     glm::dmat3 bodyToLocal() const;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <foundation/Angle.h>
+
 #include "simulation/player/ScenarioCheck.h"
 #include "simulation/player/ScenePerformer.h"
 #include "simulation/player/StoryboardRunner.h"
@@ -20,6 +22,7 @@ public:
           frame(options.origin, std::move(options.ground), std::move(options.projection)),
           clock(options.clock),
           _roads(std::move(options.roads)),
+          _roadsUnder(_roads ? _roads : std::move(options.roadsUnder)),
           _environmentClock(options.origin, options.air),
           _performer({scenario, frame, _roads.get(), clock, _environmentClock, _traffic, options.seed,
                       std::move(options.motionSource)}),
@@ -69,7 +72,7 @@ private:
     void look()
     {
         ConditionFacts& facts = _runner.facts();
-        states = _performer.states();
+        takeStates();
         facts.entities = {&scenario,      &states, &_lasting, _roads.get(), &_performer.positions(),
                           clock.seconds()};
         updateLasting(facts.entities, _lasting);
@@ -79,13 +82,28 @@ private:
         facts.dateTime = _environmentClock.at(clock.seconds()).dateTime;
     }
 
-    void publish()
+    /// Takes the states, and finds the road under each.
+    void takeStates()
     {
         states = _performer.states();
+        if (!_roadsUnder) return;
+        for (EntityState& state : states)
+        {
+            if (!_roads)
+                state.laneUnder =
+                    _roadsUnder->nearest(state.position, foundation::radiansOf(state.headingDeg));
+            if (state.laneUnder && state.laneUnder->road >= 0)
+                state.roadUnder = _roadsUnder->roadAt(*state.laneUnder).id;
+        }
+    }
+
+    void publish()
+    {
+        takeStates();
         environment = _environmentClock.at(clock.seconds());
     }
 
-    std::shared_ptr<const RoadScene> _roads;
+    std::shared_ptr<const RoadScene> _roads, _roadsUnder;
     EnvironmentClock _environmentClock;
     ScenePerformer _performer;
     StoryboardRunner _runner;

@@ -31,6 +31,10 @@ struct PlayerOptions
     std::string scenarioName = "scenario";    ///< replaces the file in errors: scenarioName:line
     std::shared_ptr<const RoadScene> roads{}; ///< of the LogicFile; null: positions on roads are not placed
 
+    /// The roads of a world on which entities are not placed: states tell the lane under them. Where `roads`
+    /// are given, those count. May be null.
+    std::shared_ptr<const RoadScene> roadsUnder{};
+
     /// What moves entities in place of their actions, by name; Init tells where they begin.
     std::map<std::string, std::shared_ptr<ExternalMotion>> motions{};
 

@@ -89,6 +89,26 @@ nlohmann::ordered_json jsonOf(const Spread& spread)
     return {{"largest", spread.largest}, {"at_s", spread.largestAtS}, {"rms", spread.rms}};
 }
 
+nlohmann::ordered_json jsonOf(const PlaceSpread& spread)
+{
+    return {{"largest", spread.largest}, {"at_m", spread.largestAtM}, {"rms", spread.rms}};
+}
+
+nlohmann::ordered_json jsonOf(const PlaceDifference& place)
+{
+    nlohmann::ordered_json text = {{"way_m", place.wayM},
+                                   {"covered_m", place.coveredM},
+                                   {"places", place.places},
+                                   {"beyond_rows", place.beyondRows},
+                                   {"beside_m", jsonOf(place.besideM)},
+                                   {"height_m", jsonOf(place.heightM)},
+                                   {"speed_mps", jsonOf(place.speedMps)},
+                                   {"bank_deg", nullptr},
+                                   {"time_s", jsonOf(place.timeS)}};
+    if (place.bankDeg) text["bank_deg"] = jsonOf(*place.bankDeg);
+    return text;
+}
+
 nlohmann::ordered_json jsonOf(const EventMatch& match)
 {
     return {{"count", match.count}, {"unmatched", match.unmatched}, {"largest_s", match.largestS}};
@@ -111,7 +131,8 @@ bool isWithin(const MotionDifference& difference, const MotionLimits& limits)
 }
 
 std::string differencesText(const std::vector<MotionDifference>& differences,
-                            const std::vector<EventDifference>& events, const MotionLimits& limits)
+                            const std::vector<EventDifference>& events,
+                            const std::vector<PlaceDifference>& places, const MotionLimits& limits)
 {
     nlohmann::ordered_json entities = nlohmann::ordered_json::array();
     bool within = true;
@@ -126,6 +147,8 @@ std::string differencesText(const std::vector<MotionDifference>& differences,
                             {"heading_deg", jsonOf(difference.headingDeg)},
                             {"speed_mps", jsonOf(difference.speedMps)},
                             {"within", isWithin(difference, limits)}});
+        for (const PlaceDifference& place : places)
+            if (place.entity == difference.entity) entities.back()["by_place"] = jsonOf(place);
         if (i >= events.size()) continue;
         entities.back()["lane_changes"] = jsonOf(events[i].laneChanges);
         entities.back()["collisions"] = jsonOf(events[i].collisions);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/record/ComparePlaces.h"
 #include "simulation/record/MotionEvents.h"
 
 namespace simulation
@@ -43,8 +44,10 @@ struct MotionLimits
 /// within.
 bool isWithin(const MotionDifference& difference, const MotionLimits& limits);
 
-/// The differences as JSON: an object with `limits`, `entities` and `within`. `events`: of the same entities.
+/// The differences as JSON: an object with `limits`, `entities` and `within`. `events`: of the same entities;
+/// `places`: of those that have a way.
 std::string differencesText(const std::vector<MotionDifference>& differences,
-                            const std::vector<EventDifference>& events, const MotionLimits& limits);
+                            const std::vector<EventDifference>& events,
+                            const std::vector<PlaceDifference>& places, const MotionLimits& limits);
 
 } // namespace simulation

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string_view>
 
 #include <foundation/Angle.h>
 #include <foundation/CsvCells.h>
@@ -46,6 +47,10 @@ constexpr std::array kColumns = {"Entity_Name [-]",
                                  "Road_Curvature [1/m]",
                                  "collision_ids"};
 
+/// After esmini's columns: what a debrief needs. Controls follow, by their names in inputs files.
+constexpr std::array kOwnColumns = {"World_Roll_Angle [rad]", "road_id", "True_Airspeed [m/s]",
+                                    "Calibrated_Airspeed [m/s]", "Condition"};
+
 /// Returns an angle within 0 and 2π.
 double turned(double angleRad)
 {
@@ -70,8 +75,14 @@ void MotionLog::writeHeader(const std::string& scenarioName, std::size_t count)
     _stream << "osgTrainer\nScenario File Name: " << scenarioName << "\nNumber of Vehicles: " << count
             << "\nIndex [-], TimeStamp [s], ";
     for (std::size_t i = 1; i <= count; ++i)
+    {
         for (const char* column : kColumns)
             _stream << '#' << i << ' ' << column << ", ";
+        for (const char* column : kOwnColumns)
+            _stream << '#' << i << ' ' << column << ", ";
+        for (const std::string_view control : kControlNames)
+            _stream << '#' << i << " Input_" << control << " [-], ";
+    }
     _stream << '\n';
 }
 
@@ -130,7 +141,28 @@ void MotionLog::writeEntity(const EntityState& state, const BoundingBox& box, st
     for (const int other : state.collidesWith)
         _text += std::to_string(other) + " ";
     _text += ", ";
+    writeOwn(state);
     last = {state.velocity, heading};
+}
+
+/// Empty cells: there is no such thing.
+void MotionLog::writeOwn(const EntityState& state)
+{
+    cell(foundation::radiansOf(state.rollDeg));
+    if (foundation::needsCsvQuotes(state.roadUnder)) _text.pop_back();
+    _text += foundation::csvCell(state.roadUnder) + ", ";
+    const VehicleReadings readings = state.readings.value_or(VehicleReadings{.condition = ""});
+    cell(readings.trueAirspeedMps);
+    cell(readings.calibratedAirspeedMps);
+    _text += std::string(readings.condition) + ", ";
+    for (const std::optional<double>& control : readings.controls)
+        cell(control);
+}
+
+void MotionLog::cell(const std::optional<double>& value)
+{
+    if (value) return cell(*value);
+    _text += ", ";
 }
 
 void MotionLog::cell(double value)

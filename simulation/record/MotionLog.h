@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,9 @@ namespace simulation
 {
 
 /// Writes what the entities of a play do as a table of text: the columns of esmini's --csv_logger, one row
-/// for each step; a name with a comma or a quote in it stands between quotes. Accelerations and the heading
-/// rate are differences between rows. The angle of the wheels is in radians, as esmini has it (its header
-/// says degrees).
+/// for each step, and after them bank, road, airspeeds, condition and controls; a name with a comma or a
+/// quote in it stands between quotes. Accelerations and the heading rate are differences between rows. The
+/// angle of the wheels is in radians, as esmini has it (its header says degrees).
 class MotionLog
 {
 public:
@@ -39,7 +40,9 @@ private:
 
     void writeHeader(const std::string& scenarioName, std::size_t count);
     void writeEntity(const EntityState& state, const BoundingBox& box, std::size_t index, double stepS);
+    void writeOwn(const EntityState& state);
     void cell(double value);
+    void cell(const std::optional<double>& value);
 
     foundation::WholeFile _file;
     std::ofstream _stream;

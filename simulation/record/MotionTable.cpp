@@ -42,7 +42,7 @@ foundation::Result<std::string> inflated(const std::filesystem::path& file)
 struct Layout
 {
     std::size_t x = 0, y = 0, z = 0, heading = 0, speed = 0, width = 0;
-    std::optional<std::size_t> lane, collisions;
+    std::optional<std::size_t> lane, collisions, roll;
 };
 
 constexpr std::size_t kFirstEntity = 2; ///< after index and time
@@ -107,6 +107,7 @@ private:
         };
         _layout.lane = findOptional("lane_id");
         _layout.collisions = findOptional("collision_ids");
+        _layout.roll = findOptional("World_Roll_Angle");
     }
 
     void row(const std::vector<std::string>& cells)
@@ -129,7 +130,10 @@ private:
                     ? static_cast<int>(number(cells[at + *_layout.lane]))
                     : 0,
                 _layout.collisions && at + *_layout.collisions < cells.size() &&
-                    !cells[at + *_layout.collisions].empty()};
+                    !cells[at + *_layout.collisions].empty(),
+                _layout.roll && at + *_layout.roll < cells.size()
+                    ? std::optional(number(cells[at + *_layout.roll]))
+                    : std::nullopt};
         }
     }
 

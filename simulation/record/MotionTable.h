@@ -18,8 +18,9 @@ struct MotionSample
     glm::dvec3 position{0.0};
     double headingRad = 0.0;
     double speedMps = 0.0;
-    int lane = 0;          ///< lane_id; 0 where the table has none
-    bool collides = false; ///< with any other entity
+    int lane = 0;                    ///< lane_id; 0 where the table has none
+    bool collides = false;           ///< with any other entity
+    std::optional<double> rollRad{}; ///< positive right side down; nothing: the table does not tell
 };
 
 struct MotionTrack

@@ -82,7 +82,7 @@ public:
     /// unloaded. Body axes.
     virtual glm::dvec3 referencePoint() const = 0;
 
-    /// Writes what pictures need besides the motion: wheels, steering, surfaces.
+    /// Writes what pictures and tables need besides the motion: wheels, steering, surfaces, airspeeds.
     virtual void writeParts(EntityState& entity) const = 0;
 
     virtual VehicleState state() const = 0;

@@ -111,6 +111,82 @@ TEST(Drive, TyresMeetTheWeather)
     EXPECT_TRUE(drivenOn(place, "gravel", {"--weather", "rain"}) == drivenOn(place, "gravel"));
 }
 
+/// The cells of a table of motion beneath a column, row by row.
+std::vector<std::string> columnOf(const std::string& table, const std::string& column)
+{
+    const auto cells = [](const std::string& line)
+    {
+        std::vector<std::string> parts(1);
+        for (const char c : line)
+            if (c == ',')
+                parts.emplace_back();
+            else if (c != ' ' || !parts.back().empty())
+                parts.back() += c;
+        return parts;
+    };
+    std::vector<std::string> found;
+    std::istringstream lines(table);
+    std::size_t at = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+        const auto row = cells(line);
+        if (line.starts_with("Index"))
+            at = static_cast<std::size_t>(std::find(row.begin(), row.end(), "#1 " + column) - row.begin());
+        else if (at > 0 && at < row.size())
+            found.push_back(row[at]);
+    }
+    EXPECT_FALSE(found.empty()) << column;
+    return found;
+}
+
+TEST(Drive, ItsTableTellsRoadLaneAndControls)
+{
+    const Workplace place;
+    const std::string table = drivenOn(place, "");
+    const auto s = columnOf(table, "Distance_Travelled_Along_Road_Segment [m]");
+    const auto x = columnOf(table, "World_Position_X [m]");
+    const auto lane = columnOf(table, "lane_id"), road = columnOf(table, "road_id");
+    const auto offset = columnOf(table, "lane_offset [m]"), throttle = columnOf(table, "Input_throttle [-]");
+    ASSERT_EQ(s.size(), x.size());
+    double mostM = 0.0, mostThrottle = 0.0;
+    for (std::size_t i = 0; i < s.size(); ++i)
+    {
+        EXPECT_NEAR(std::atof(s[i].c_str()), std::atof(x[i].c_str()), 0.01) << "the road runs along x";
+        EXPECT_EQ(lane[i], "-1");
+        EXPECT_EQ(road[i], "1");
+        EXPECT_LT(std::abs(std::atof(offset[i].c_str())), 0.5);
+        mostM = std::max(mostM, std::atof(s[i].c_str()));
+        mostThrottle = std::max(mostThrottle, std::atof(throttle[i].c_str()));
+    }
+    EXPECT_GT(mostM, 20.0);
+    EXPECT_GT(mostThrottle, 0.1);
+    EXPECT_EQ(columnOf(table, "Input_gear [-]").back(), "1.000000");
+    EXPECT_EQ(columnOf(table, "Condition").back(), "sound");
+    EXPECT_EQ(columnOf(table, "Input_elevator [-]").back(), "");
+}
+
+/// Two drives differ, which is no failure; beyond limits that somebody gives it is one.
+TEST(Drive, TwoOfThemAreComparedByTimeAndPlace)
+{
+    const Workplace place;
+    const std::string fast = place.write("fast.csv", drivenOn(place, "")),
+                      slow = place.write("slow.csv", drivenOn(place, "", {"--speed", "5"})),
+                      json = place.path("difference.json");
+    const ProgramRun run = runTrainer({"compare", slow, fast, "--json", json});
+    EXPECT_TRUE(succeeds(run)) << run.text();
+    EXPECT_NE(run.output.find("by place"), std::string::npos) << run.text();
+    EXPECT_NE(run.output.find("  time +"), std::string::npos) << run.text();
+    EXPECT_NE(bytesOf(json).find("\"by_place\""), std::string::npos);
+    EXPECT_TRUE(failsWith(runTrainer({"compare", slow, fast, "--fail-beyond"}), 1, "trainer", {"differ"}));
+    EXPECT_TRUE(failsWith(runTrainer({"compare", slow, fast, "--position", "1"}), 1, "trainer", {"differ"}));
+    EXPECT_TRUE(succeeds(runTrainer({"compare", fast, fast, "--fail-beyond"})));
+    const std::string other =
+        place.write("other.csv", "Index, Time, #1 Entity_Name, #1 Current_Speed, #1 World_Position_X, "
+                                 "#1 World_Position_Y, #1 World_Position_Z, #1 World_Heading_Angle, \n"
+                                 "0, 0, Somebody, 1, 2, 3, 4, 5, \n");
+    EXPECT_TRUE(failsWith(runTrainer({"compare", other, fast}), 1, "trainer", {"none of the entities"}));
+}
+
 /// A world of the test's hill and a level road through its top, 840 m long and east to west, 300 m high;
 /// `objects`: what lies on the road.
 std::string roadThroughHill(const Workplace& place, const std::string& objects, const std::string& more = "")

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // `trainer fly`: flights that repeat, with and without pictures, and what it says of a flight that cannot be.
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "ProgramRun.h"
 #include "Workplace.h"
+#include "simulation/record/MotionTable.h"
 
 namespace
 {
@@ -52,6 +56,39 @@ TEST(Fly, RecordedInputsRepeatAFlightToTheLastByte)
     second.insert(second.end(), {"--seed", "2"});
     EXPECT_TRUE(succeeds(runTrainer(second)));
     EXPECT_NE(wholeText(motion), wholeText(again));
+}
+
+TEST(Fly, ItsTableTellsBankAirspeedsAndControls)
+{
+    const Workplace place;
+    const std::string motion = place.path("wind.csv");
+    // A wind of 20 kt from ahead: through the air it is faster than over the ground.
+    EXPECT_TRUE(succeeds(runTrainer(flight({"--headless", "--start", "0,0,1500,0,40", "--wind", "0,20",
+                                            "--duration", "2", "--csv_logger", motion}))));
+    const std::string table = wholeText(motion);
+    for (const char* column : {"World_Roll_Angle [rad]", "True_Airspeed [m/s]", "Calibrated_Airspeed [m/s]",
+                               "Input_elevator [-]", "Input_aileron [-]", "Input_rudder [-]",
+                               "Input_throttle [-]", "Input_flaps [-]", "Input_left_brake [-]", "Condition"})
+        EXPECT_NE(table.find(std::string("#1 ") + column), std::string::npos) << column;
+    const auto read = simulation::readMotionTable(motion);
+    ASSERT_TRUE(read);
+    const auto& last = *read->tracks.front().samples.back();
+    ASSERT_TRUE(last.rollRad);
+    const std::string row = linesOf(table).back(), header = linesOf(table).at(3);
+    const auto cellOf = [&](const std::string& column)
+    {
+        const auto at = static_cast<std::size_t>(
+            std::count(header.begin(), header.begin() + static_cast<long>(header.find(column)), ','));
+        std::istringstream stream(row);
+        std::string cell;
+        for (std::size_t i = 0; i <= at; ++i)
+            std::getline(stream, cell, ',');
+        return std::atof(cell.c_str());
+    };
+    const double trueMps = cellOf("#1 True_Airspeed"), calibratedMps = cellOf("#1 Calibrated_Airspeed");
+    EXPECT_NEAR(trueMps - last.speedMps, 10.3, 1.5);
+    EXPECT_NEAR(calibratedMps / trueMps, 0.93, 0.02); // 1500 m up
+    EXPECT_GT(cellOf("#1 Input_throttle"), 0.0);
 }
 
 TEST(Fly, LandsToAStopWithoutPictures)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include <foundation/WholeFile.h>
 
@@ -20,6 +21,28 @@ void print(const simulation::MotionDifference& difference, const simulation::Mot
                 difference.headingDeg.largestAtS, difference.headingDeg.rms,
                 difference.unmatchedRows > 0 ? "  rows are missing" : "",
                 simulation::isWithin(difference, limits) ? "" : "  beyond the limits");
+}
+
+void print(const char* what, const char* unit, const simulation::PlaceSpread& spread)
+{
+    std::printf("  %s %+.3f %s at %.1f m (rms %.3f)", what, spread.largest, unit, spread.largestAtM,
+                spread.rms);
+}
+
+void print(const simulation::PlaceDifference& place)
+{
+    std::printf("%-24s by place: %.1f of %.1f m of the way of the reference", place.entity.c_str(),
+                place.coveredM, place.wayM);
+    if (place.places > 0)
+    {
+        print("beside", "m", place.besideM);
+        print("height", "m", place.heightM);
+        print("speed", "m/s", place.speedMps);
+        if (place.bankDeg) print("bank", "deg", *place.bankDeg);
+        print("time", "s", place.timeS);
+    }
+    if (place.beyondRows > 0) std::printf("  %zu rows beyond its ends", place.beyondRows);
+    std::printf("\n");
 }
 
 void print(const char* kind, const simulation::EventMatch& match)
@@ -42,6 +65,24 @@ void print(const simulation::EventDifference& events)
     std::printf("\n");
 }
 
+/// Errors: nothing in one table can be compared with the other.
+foundation::Outcome checkComparable(const CompareRequest& request, const simulation::MotionTable& table,
+                                    const simulation::MotionTable& reference)
+{
+    for (const auto& [read, file] :
+         {std::pair(&table, &request.table), std::pair(&reference, &request.reference)})
+        if (read->tracks.empty())
+            return foundation::Error{file->string(), "no row has an entity", "give the table of a run"};
+    if (std::none_of(reference.tracks.begin(), reference.tracks.end(),
+                     [&](const auto& track) { return table.find(track.entity); }))
+        return foundation::Error{request.table.string(),
+                                 "none of the entities of " + request.reference.string() + " is in it (" +
+                                     table.tracks.front().entity + " is, " + reference.tracks.front().entity +
+                                     " is there)",
+                                 "compare runs of the same entities"};
+    return foundation::success();
+}
+
 } // namespace
 
 foundation::Outcome compare(const CompareRequest& request)
@@ -53,16 +94,21 @@ foundation::Outcome compare(const CompareRequest& request)
     if (!reference) return reference.error();
     const auto differences = simulation::compareMotions(*table, *reference);
     const auto events = simulation::compareEvents(*table, *reference);
+    const auto places = simulation::comparePlaces(*table, *reference);
+    if (const auto comparable = checkComparable(request, *table, *reference); !comparable) return comparable;
     for (std::size_t i = 0; i < differences.size(); ++i)
     {
         print(differences[i], request.limits);
         print(events[i]);
     }
+    for (const simulation::PlaceDifference& place : places)
+        print(place);
     if (!request.jsonFile.empty())
     {
-        const std::string text = simulation::differencesText(differences, events, request.limits);
+        const std::string text = simulation::differencesText(differences, events, places, request.limits);
         if (const auto written = foundation::writeWholeFile(request.jsonFile, text); !written) return written;
     }
+    if (!request.failsBeyond) return foundation::success();
     const auto beyond = std::count_if(differences.begin(), differences.end(),
                                       [&](const auto& difference)
                                       { return !simulation::isWithin(difference, request.limits); });

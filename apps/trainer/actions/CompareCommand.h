@@ -16,12 +16,14 @@ struct CompareRequest
     std::filesystem::path table;
     std::filesystem::path reference;
     simulation::MotionLimits limits;
+    bool failsBeyond = false;       ///< the limits
     std::filesystem::path jsonFile; ///< empty: none
 };
 
-/// Prints the largest and the RMS difference of each entity of the reference, one line each.
-/// Errors: a table that cannot be read; a difference beyond the limits, or a row that the other table does
-/// not have.
+/// Prints the largest and the RMS difference of each entity of the reference, by time and by place, one line
+/// each.
+/// Errors: a table that cannot be read; no entity in both. Where it `failsBeyond`: a difference beyond the
+/// limits, or a row that the other table does not have.
 foundation::Outcome compare(const CompareRequest& request);
 
 } // namespace trainer

@@ -12,12 +12,14 @@
 #include "scene/DriveWay.h"
 #include "scene/RideAir.h"
 #include "scene/SceneTerrain.h"
+#include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/HandOver.h"
 #include "simulation/control/InputTrack.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/driver/RoadHands.h"
 #include "simulation/control/scenario/VehicleFiles.h"
+#include "simulation/road/RoadScene.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
 
@@ -165,6 +167,9 @@ foundation::Outcome drive(const DriveRequest& asked)
                                  "give less"};
     if (const auto told = tellInputs(request.inputs); !told) return told;
     request.conditions = inAirOf(*scene, request.conditions);
+    if (!request.play.output.motionFile.empty())
+        request.play.roadsUnder =
+            std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*scene->roads));
     DriveMaker maker(request, *data, *scene, *path);
     const auto motion = playRides(request, std::move(*scene), maker);
     if (!motion) return motion.error();

@@ -31,6 +31,7 @@ foundation::Outcome rideHeadless(const RideRequest& request, const SceneTerrain&
     options.ground = terrain.ground();
     options.clock = simulation::FixedClock(kRideStepsPerSecond);
     options.motions[ride.entity] = ride.motion;
+    options.roadsUnder = request.play.roadsUnder;
     auto player = simulation::ScenarioPlayer::create(std::move(ride.scenario), std::move(options));
     if (!player) return player.error();
     return playOut(**player, headless);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <foundation/Angle.h>
 
+#include "simulation/vehicle/Airspeeds.h"
 #include "simulation/vehicle/flight/Aircraft.h"
 
 namespace simulation
@@ -49,6 +50,10 @@ void Aircraft::writeParts(EntityState& entity) const
     entity.wheelRotationDeg = parts.wheelTurnDeg[kLeftLeg];
     entity.steeringDeg = parts.noseSteeringDeg;
     entity.isOnGround = _isOnGround;
+    const AirSample& air = _surroundings.air;
+    const glm::dvec3 through =
+        glm::conjugate(_state.motion.attitude) * (_state.motion.velocity - air.windMps);
+    writeAirspeed(glm::length(through - _surroundings.gust), air, entity);
 }
 
 } // namespace simulation

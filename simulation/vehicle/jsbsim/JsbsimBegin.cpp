@@ -206,7 +206,8 @@ foundation::Outcome JsbsimVehicle::beginInAir(const VehicleStart& start, const G
     JsbsimStart begin = startAt(start, start.position,
                                 below.isKnown ? below.heightM : start.position.z - place.geodetic.heightM);
     if (const auto examined = examine(begin); !examined) return examined;
-    const glm::dvec3 wind = air.at(start.position, place.geodetic.heightM, 0.0).windMps;
+    _aroundIt = air.at(start.position, place.geodetic.heightM, 0.0);
+    const glm::dvec3 wind = _aroundIt.windMps;
     const glm::dvec3 east = glm::cross(place.north, place.up);
     begin.windMps = {glm::dot(wind, place.north), glm::dot(wind, east), 0.0};
     const glm::dvec3 through = begin.velocityMps - begin.windMps;

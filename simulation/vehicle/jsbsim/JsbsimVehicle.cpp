@@ -6,6 +6,8 @@
 
 #include <foundation/Angle.h>
 
+#include "simulation/vehicle/Airspeeds.h"
+
 namespace simulation
 {
 namespace
@@ -60,6 +62,8 @@ std::string JsbsimVehicle::orders(const Ground& ground, const Air& air)
         const glm::dvec3& gust = _turbulence.velocity(); // forward, right, down
         wind += _state.bodyToScene * glm::dvec3(gust.x, -gust.y, -gust.z);
     }
+    _aroundIt = sample;
+    _aroundIt.windMps = wind;
     const glm::dvec3 level = _frame->northEastDown(_row, wind);
     if (_hasWind && level != _sentWind)
         text += order("atmosphere/wind-north-fps", level.x / kJsbsimFootM) +
@@ -199,6 +203,7 @@ void JsbsimVehicle::writeParts(EntityState& entity) const
     entity.aircraft = parts;
     entity.wheelRotationDeg = _wheelDeg;
     entity.isOnGround = _state.isOnGround;
+    writeAirspeed(glm::length(_state.velocity - _aroundIt.windMps), _aroundIt, entity);
 }
 
 } // namespace simulation

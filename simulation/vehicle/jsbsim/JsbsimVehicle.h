@@ -104,6 +104,7 @@ private:
     glm::dvec3 _sentWind{0.0};
     double _sentTerrainM = 0.0;
     GroundPoint _below;
+    AirSample _aroundIt; ///< at the last step, gusts within its wind
     DrydenTurbulence _turbulence;
     JsbsimRow _row; ///< the last good one
     std::int64_t _step = 0;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "simulation/record/CompareMotions.h"
@@ -79,7 +81,7 @@ TEST(CompareMotions, ARowThatIsMissingIsADifference)
     EXPECT_EQ(found[0].unmatchedRows, 1u);
     EXPECT_EQ(found[1].unmatchedRows, 1u);
     EXPECT_FALSE(isWithin(found[0], {}));
-    EXPECT_NE(differencesText(found, compareEvents(shorter, reference), {}).find("\"within\": false"),
+    EXPECT_NE(differencesText(found, compareEvents(shorter, reference), {}, {}).find("\"within\": false"),
               std::string::npos);
 }
 
