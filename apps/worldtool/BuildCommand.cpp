@@ -98,16 +98,6 @@ worldmaking::MadeUpSettings settingsOf(const Request& request, const MapBounds& 
     return settings;
 }
 
-void print(const nlohmann::ordered_json& rows)
-{
-    for (const auto& [part, row] : rows.items())
-        for (const auto& [key, value] : row.items())
-            if (part == "notes")
-                std::cout << "note: " << value.get<std::string>() << '\n';
-            else
-                std::cout << part << '.' << key << ' ' << value.dump() << '\n';
-}
-
 /// The files of the map, the runways of a table, and how many others it has.
 struct InputHeads
 {
@@ -269,7 +259,8 @@ foundation::Result<Report> build(const Request& request)
     if (isMadeUp) maker.report.json["madeUp"] = madeUp;
     if (isMadeUp) maker.report.json["places"] = places;
     if (const auto made = maker.make(); !made) return made.error();
-    print(maker.report.json);
+    std::cout << summaryOf(maker.report.json) << "all counts: " << (request.world / "report.json").string()
+              << '\n';
     return maker.report;
 }
 

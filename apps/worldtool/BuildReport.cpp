@@ -1,8 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "worldtool/BuildReport.h"
 
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
 namespace worldtool
 {
+
+namespace
+{
+
+/// "waysBeyondGround" in words.
+std::string wordsOf(std::string_view key)
+{
+    std::string words;
+    for (const char c : key)
+    {
+        if (std::isupper(static_cast<unsigned char>(c))) words += ' ';
+        words += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return words;
+}
+
+/// "412 streets", or "max grade 7.9 %" where the key ends with a unit.
+std::string countOf(std::string_view key, double value)
+{
+    constexpr std::array<std::pair<std::string_view, const char*>, 5> kUnits{
+        {{"Km2", "km2"}, {"Km", "km"}, {"Ha", "ha"}, {"Percent", "%"}, {"M", "m"}}};
+    std::array<char, 32> number{};
+    std::snprintf(number.data(), number.size(), "%.*f",
+                  value == static_cast<double>(static_cast<long long>(value)) ? 0 : 1, value);
+    for (const auto& [suffix, unit] : kUnits)
+        if (key.ends_with(suffix))
+            return wordsOf(key.substr(0, key.size() - suffix.size())) + " " + number.data() + " " + unit;
+    return std::string(number.data()) + " " + wordsOf(key);
+}
+
+} // namespace
+
+std::string summaryOf(const nlohmann::ordered_json& report)
+{
+    std::string lines;
+    for (const auto& [part, row] : report.items())
+    {
+        if (part == "notes")
+            for (const auto& note : row)
+                lines += "note: " + note.get<std::string>() + '\n';
+        if (!row.is_object()) continue;
+        std::string counts;
+        for (const auto& [key, value] : row.items())
+            if (value.is_number() && value.get<double>() != 0.0)
+                counts += (counts.empty() ? "" : ", ") + countOf(key, value.get<double>());
+        if (!counts.empty()) lines += wordsOf(part) + ": " + counts + '\n';
+    }
+    return lines;
+}
 
 nlohmann::ordered_json rowOf(const worldmaking::StreetReport& report)
 {

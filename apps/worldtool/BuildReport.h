@@ -25,4 +25,7 @@ nlohmann::ordered_json rowOf(const worldmaking::WaterReport& report);
 nlohmann::ordered_json rowOf(const worldmaking::AirfieldReport& report);
 nlohmann::ordered_json rowOf(const worldmaking::StructureReport& report);
 
+/// Returns a line for each part of a report, of the counts that are not 0, and one for each of its notes.
+std::string summaryOf(const nlohmann::ordered_json& report);
+
 } // namespace worldtool
