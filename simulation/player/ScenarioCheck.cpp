@@ -27,12 +27,14 @@ public:
 
     foundation::Result<std::vector<foundation::Error>> run()
     {
+        _isInit = true;
         for (const InitPrivate& initial : _scenario.storyboard.init.privates)
         {
             entity(initial.entity, initial.source);
             for (const PrivateAction& content : initial.actions)
                 action(content);
         }
+        _isInit = false;
         for (const Story& story : _scenario.storyboard.stories)
         {
             _names.insert({StoryboardElementType::story, story.name});
@@ -89,7 +91,7 @@ private:
             if (isGeo && !_frame.canPlace(teleport->position))
                 fail(teleport->source, "a GeoPosition, but the scene has no georeference",
                      "use WorldPosition");
-            onRoads(teleport->position, "the entity is not placed");
+            onRoads(teleport->position, kNotPlaced);
         }
         if (const auto* acquire = std::get_if<AcquirePositionAction>(&content))
             onRoads(acquire->position, "nothing is done");
@@ -135,8 +137,8 @@ private:
         if (!_roads) return false;
         if (index < 0)
         {
-            warn(source, "the road " + id + " does not exist",
-                 instead + "; write the id of a road of the LogicFile");
+            missing(source, "the road " + id + " does not exist", instead,
+                    "write the id of a road of the LogicFile");
             return false;
         }
         constexpr double kBeyondM = 1.0; // lengths are rounded
@@ -159,10 +161,10 @@ private:
     {
         if (!onRoad(position.roadId, position.sM, position.source, instead)) return;
         if (!_roads->onLane(position.roadId, position.lane, position.sM, 0.0))
-            warn(position.source,
-                 "the road " + position.roadId + " has no lane " + std::to_string(position.lane) +
-                     " at this s",
-                 instead + "; write the id of a lane there");
+            missing(position.source,
+                    "the road " + position.roadId + " has no lane " + std::to_string(position.lane) +
+                        " at this s",
+                    instead, "write the id of a lane there");
     }
 
     static bool isSupported(const FollowTrajectoryAction& follow)
@@ -211,6 +213,17 @@ private:
         if (!_error) _error = foundation::Error{_name + ":" + std::to_string(source.line), what, remedy};
     }
 
+    /// A place that is not there: in Init, where the entity would stand at the origin for all of the play, it
+    /// is a fault.
+    void missing(SourceLine source, const std::string& what, const std::string& instead,
+                 const std::string& remedy)
+    {
+        if (_isInit && instead == kNotPlaced)
+            fail(source, what, remedy);
+        else
+            warn(source, what, instead + "; " + remedy);
+    }
+
     void warn(SourceLine source, const std::string& what, const std::string& instead)
     {
         _warnings.push_back({_name + ":" + std::to_string(source.line), what, "instead: " + instead});
@@ -220,6 +233,8 @@ private:
     const SceneFrame& _frame;
     const std::string& _name;
     const RoadScene* _roads;
+    static constexpr const char* kNotPlaced = "the entity is not placed";
+    bool _isInit = false; ///< what is walked through is Init
     std::set<Name> _names;
     std::vector<std::pair<const StoryboardElementStateCondition*, SourceLine>> _references;
     std::optional<foundation::Error> _error;

@@ -15,8 +15,9 @@ namespace simulation
 {
 
 /// Checks that a scenario can be played in a scene: every position can be located, every trajectory can be
-/// run, every reference to an entity is valid. Unsupported content is skipped. Returns what refers to a road,
-/// a lane or a storyboard element that is not there. Errors: the first fault. Both as `name:line`.
+/// run, every reference to an entity is valid, and Init puts entities on roads and lanes that there are.
+/// Unsupported content is skipped. Returns what else refers to a road, a lane or a storyboard element that is
+/// not there. Errors: the first fault. Both as `name:line`.
 /// `roads`: of the LogicFile; null: none.
 foundation::Result<std::vector<foundation::Error>> checkPlayable(const Scenario& scenario,
                                                                  const SceneFrame& frame,

@@ -186,6 +186,10 @@ TEST(ToldMistakes, AScenarioOnRoadsThatAreNotThere)
     const ProgramRun lane = checked(scenarioOnRoad(street, "1", -33, 10.0));
     EXPECT_TRUE(failsWith(lane, 1, "trainer", {"1 problem"}));
     EXPECT_NE(lane.output.find("the road 1 has no lane -33"), std::string::npos) << lane.text();
+    const std::string lost = place.write("lost.xosc", scenarioOnRoad(street, "99", -1, 10.0));
+    EXPECT_TRUE(
+        failsWith(runTrainer({"play", lost, "--headless"}), 1, "trainer", {"the road 99 does not exist"}))
+        << "nobody plays at the origin";
     const ProgramRun beyond = checked(scenarioOnRoad(street, "1", -1, 99999.0));
     EXPECT_TRUE(failsWith(beyond, 1, "trainer", {"1 problem"}));
     EXPECT_NE(beyond.output.find("is beyond the road 1"), std::string::npos) << beyond.text();

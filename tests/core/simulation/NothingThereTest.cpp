@@ -41,22 +41,35 @@ TEST(NothingThere, AConditionOnNoElementIsNeverTrueAndTold)
     EXPECT_TRUE(roadplay::played(text, 3.0)->warnings().empty()) << "of what is there";
 }
 
-TEST(NothingThere, AnEntityOnNoRoadOrLaneIsNotPlacedAndTold)
+TEST(NothingThere, AnEntityThatBeginsOnNoRoadOrLaneIsRefused)
 {
     for (const auto& [place, said] :
          {std::pair(roadplay::onLane(10.0, -1, "77"), "the road 77 does not exist"),
           std::pair(roadplay::onLane(10.0, -9), "has no lane -9")})
     {
         ScenarioText text;
-        text.entities += "<ScenarioObject name=\"Lead\">" + kCar + "</ScenarioObject>";
-        text.privates =
-            place + "</Private><Private entityRef=\"Lead\">" + roadplay::onLane(100.0) + speedAction(10.0);
+        text.privates = place + speedAction(10.0);
+        const auto player = roadplay::created(text);
+        ASSERT_FALSE(player) << said;
+        EXPECT_NE(player.error().message().find(said), std::string::npos) << player.error().message();
+    }
+}
+
+TEST(NothingThere, AnEntityThatIsSentToNoRoadOrLaneLaterStaysAndIsTold)
+{
+    for (const auto& [place, said] :
+         {std::pair(roadplay::onLane(10.0, -1, "77"), "the road 77 does not exist"),
+          std::pair(roadplay::onLane(10.0, -9), "has no lane -9")})
+    {
+        ScenarioText text;
+        text.privates = roadplay::onLane(100.0) + speedAction(10.0);
+        text.stories = story(event("a", place, timeCondition(1.0)));
         const auto player = roadplay::played(text, 2.0);
         ASSERT_TRUE(player);
         ASSERT_EQ(player->warnings().size(), 1u) << said;
         EXPECT_NE(player->warnings()[0].message().find(said), std::string::npos)
             << player->warnings()[0].message();
-        EXPECT_NEAR(player->entities()[1].position.x, 120.0, 0.2) << "the others play";
+        EXPECT_NEAR(player->entities()[0].position.x, 120.0, 0.3) << "it drives on";
     }
 }
 

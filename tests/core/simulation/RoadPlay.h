@@ -33,18 +33,23 @@ inline std::string onLane(double s, int lane = -1, const std::string& road = "1"
                                 "\" s=\"" + std::to_string(s) + "\"/>");
 }
 
-inline std::unique_ptr<simulation::ScenarioPlayer> begun(simulation::ScenarioText text,
-                                                         Roads roads = straight(), std::uint64_t seed = 0)
+inline foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>>
+created(simulation::ScenarioText text, Roads roads = straight(), std::uint64_t seed = 0)
 {
     if (text.stop.empty()) text.stop = simulation::stopAt(1000.0);
     auto parsed = simulation::parseScenario(text.text(), "test.xosc", {.tolerant = true, .parameters = {}});
-    EXPECT_TRUE(parsed) << parsed.error().message();
-    if (!parsed) return nullptr;
+    if (!parsed) return parsed.error();
     simulation::PlayerOptions options;
     options.clock = simulation::FixedClock::forStep(kStepS);
     options.roads = std::move(roads);
     options.seed = seed;
-    auto player = simulation::ScenarioPlayer::create(std::move(parsed->scenario), std::move(options));
+    return simulation::ScenarioPlayer::create(std::move(parsed->scenario), std::move(options));
+}
+
+inline std::unique_ptr<simulation::ScenarioPlayer> begun(const simulation::ScenarioText& text,
+                                                         Roads roads = straight(), std::uint64_t seed = 0)
+{
+    auto player = created(text, std::move(roads), seed);
     EXPECT_TRUE(player) << player.error().message();
     return player ? std::move(*player) : nullptr;
 }
