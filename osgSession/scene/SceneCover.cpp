@@ -2,21 +2,10 @@
 #include "SceneCover.h"
 
 #include "scenery/nodes/GroundShares.h"
+#include "scenery/roads/BareGround.h"
 
 namespace trainer
 {
-
-namespace
-{
-
-constexpr double kFromLanesM = 0.6; ///< the gravel beside them is bare
-
-bool isOnRoad(const osgRoads::core::PlacedNetwork& roads, const glm::dvec3& place)
-{
-    return !roads.locator().within(glm::dvec2(roads.toInertial(place)), kFromLanesM).empty();
-}
-
-} // namespace
 
 std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain)
 {
@@ -26,7 +15,8 @@ std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain)
                   tile = terrain.terrain->tile()](glm::dvec2 place) -> std::optional<scenery::CoverGround>
     {
         const auto sample = ground(place.x, place.y);
-        if (!sample || (roads && isOnRoad(*roads, {place, sample->heightM}))) return std::nullopt;
+        if (!sample || (roads && scenery::isBareByRoads(*roads, {place, sample->heightM})))
+            return std::nullopt;
         const auto found = shares->at(place);
         return scenery::CoverGround{sample->heightM, found.grass, found.stones, found.litter};
     };

@@ -43,12 +43,6 @@ PlanElement curveBetween(const LaneGate& from, const LaneGate& to)
     return {0.0, lengthM, from.edge, from.headingRad, ParametricCubic::normalized(u, v, lengthM)};
 }
 
-Cubic hermitePiece(double s, double lengthM, double value, double slope, double nextValue, double nextSlope)
-{
-    const auto c = hermite(slope * lengthM, nextValue - value, nextSlope * lengthM);
-    return {s, value, slope, c.c / (lengthM * lengthM), c.d / (lengthM * lengthM * lengthM)};
-}
-
 /// Heights and lean of a plane along a curve, exact at every kHeightStepM in value and slope.
 void layOnPlane(osgRoads::core::Road& road, const CrossingPlane& plane)
 {
@@ -82,6 +76,13 @@ void layOnPlane(osgRoads::core::Road& road, const CrossingPlane& plane)
 }
 
 } // namespace
+
+osgRoads::core::Cubic hermitePiece(double s, double lengthM, double value, double slope, double nextValue,
+                                   double nextSlope)
+{
+    const auto c = hermite(slope * lengthM, nextValue - value, nextSlope * lengthM);
+    return {s, value, slope, c.c / (lengthM * lengthM), c.d / (lengthM * lengthM * lengthM)};
+}
 
 osgRoads::core::Road connectingRoad(const LaneGate& from, const LaneGate& to, const CrossingPlane& plane)
 {

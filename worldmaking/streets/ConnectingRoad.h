@@ -19,6 +19,10 @@ struct LaneGate
     double widthM = 0.0;
 };
 
+/// Returns the cubic from s on that has a value and a slope at its start and at its end.
+osgRoads::core::Cubic hermitePiece(double s, double lengthM, double value, double slope, double nextValue,
+                                   double nextSlope);
+
 /// Makes the road that leads from one lane to another across a crossing: one lane to the right of a cubic
 /// that meets both edges in place and heading, on the crossing's plane. Its id, links and junction are the
 /// caller's.

@@ -22,7 +22,7 @@ using osgRoads::core::MarkType;
 using osgRoads::core::RoadMark;
 using Strip = LaneLayout::Strip;
 
-constexpr double kSidewalkM = 1.5, kCycleTrackM = 2.0, kKerbM = 0.12, kMarkM = 0.12;
+constexpr double kSidewalkM = 1.5, kCycleTrackM = 2.0, kMarkM = 0.12;
 constexpr double kTaperM = 30.0; ///< over which lanes change their width
 
 /// One side of a street.

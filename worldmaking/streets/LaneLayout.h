@@ -10,6 +10,8 @@
 namespace worldmaking
 {
 
+inline constexpr double kKerbM = 0.12; ///< of a sidewalk above the lanes
+
 /// The cross-section of a street: its lanes from the centre outwards, and where the centre lies.
 /// Traffic keeps to the right. Units: metres.
 struct LaneLayout

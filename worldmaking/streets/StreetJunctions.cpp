@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The junctions of a StreetNetwork.
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
@@ -28,7 +31,6 @@ void addStructure(Road& road, StreetPlace place)
 {
     const bool isBridge = place == StreetPlace::bridge;
     osgRoads::core::RoadStructure structure;
-    structure.id = road.id + "-0";
     structure.kind = isBridge ? osgRoads::core::StructureKind::bridge : osgRoads::core::StructureKind::tunnel;
     structure.type = isBridge ? "concrete" : "standard";
     structure.length = road.length;
@@ -54,6 +56,31 @@ bool isOfSharedLanes(const osgRoads::core::LaneSection& section)
                            });
     };
     return !hasOwn(section.left) && !hasOwn(section.right);
+}
+
+/// Gives a road its number, and its structures, which are called after it, too.
+void setId(Road& road, std::size_t number)
+{
+    road.id = std::to_string(number);
+    for (osgRoads::core::RoadStructure& structure : road.structures)
+        structure.id = road.id + "-0";
+}
+
+/// Whether a lane is the outermost one for cars of its arm.
+bool isBeside(const LaneGate& gate, const ArmSide& side)
+{
+    constexpr double kNearM = 0.1; // leaning lanes are narrower in the plan
+    const glm::dvec2 right(std::sin(gate.headingRad), -std::cos(gate.headingRad));
+    return glm::distance(gate.edge + gate.widthM * right, side.edge) < kNearM;
+}
+
+/// Returns the line of an arm's street from the middle of the crossing.
+HalfLine lineOf(const ArmSides& sides, const glm::dvec2& middle)
+{
+    constexpr double kNearM = 1.0; // arms that begin in the middle
+    const glm::dvec2 way = 0.5 * (sides.in.edge + sides.out.edge) - middle;
+    const double heading = sides.out.headingRad;
+    return {middle, glm::length(way) > kNearM ? way : glm::dvec2(std::cos(heading), std::sin(heading))};
 }
 
 RoadLink linkTo(const StreetArm& arm)
@@ -133,38 +160,87 @@ StreetPlace StreetNetwork::placeAt(const StreetArm& arm) const
     return _graph.traitsAt(chain, arm.isEnd ? chain.pieces.size() - 1 : 0).place;
 }
 
-void StreetNetwork::addJunction(std::size_t index, RoadNetwork& network, StreetReport& report) const
+/// Returns the arms with their lanes and sides, and where the lines of their streets meet.
+StreetNetwork::ArmsOfCrossing StreetNetwork::armsOf(std::size_t index, const RoadNetwork& network) const
 {
-    const Crossing& crossing = _graph.crossings[index];
-    std::vector<Arm> arms;
-    std::vector<ArmLanes> lanes;
-    for (const StreetArm& arm : crossing.arms)
+    ArmsOfCrossing crossing;
+    crossing.index = index;
+    for (const StreetArm& arm : _graph.crossings[index].arms)
     {
-        const Road& road = network.roads[arm.chain];
-        arms.push_back(armOf(arm, road));
-        const double heading = road.referenceLine.at(arm.isEnd ? road.length : 0.0).headingRad;
-        lanes.push_back({heading + (arm.isEnd ? std::numbers::pi : 0.0),
-                         static_cast<int>(arms.back().in.size()), static_cast<int>(arms.back().out.size())});
+        crossing.arms.push_back(armOf(arm, network.roads[arm.chain]));
+        crossing.arms.back().sides = sidesOf(network.roads[arm.chain], arm.isEnd);
+        const CentreLine& line = _lines[arm.chain];
+        crossing.middle += line.at(arm.isEnd ? line.lengthM() : 0.0).position;
     }
-    Junction junction;
-    junction.id = junctionId(static_cast<int>(index));
-    for (const Turn& turn : turnsOf(lanes, allowedTurns(crossing)))
+    crossing.middle /= static_cast<double>(std::max<std::size_t>(crossing.arms.size(), 1));
+    return crossing;
+}
+
+/// Returns for each arm the next one to the left of it, seen from the middle.
+std::vector<std::size_t> StreetNetwork::neighboursOf(const ArmsOfCrossing& crossing) const
+{
+    constexpr double kAwayM = 15.0; // tells even arms apart that begin in the middle
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < crossing.arms.size(); ++i)
     {
-        const Gate& from = arms[turn.fromArm].in[static_cast<std::size_t>(turn.fromLane)];
-        const Gate& to = arms[turn.toArm].out[static_cast<std::size_t>(turn.toLane)];
-        Road road = connectingRoad(from.gate, to.gate, _heights.planes[index]);
-        road.id = std::to_string(network.roads.size() + _graph.crossings.size());
-        if (const StreetPlace place = placeAt(arms[turn.fromArm].arm);
-            place != StreetPlace::ground && place == placeAt(arms[turn.toArm].arm))
-            addStructure(road, place);
-        road.junctionId = junction.id;
-        road.predecessor = linkTo(arms[turn.fromArm].arm);
-        road.successor = linkTo(arms[turn.toArm].arm);
+        const auto& [in, out] = crossing.arms[i].sides;
+        const glm::dvec2 ahead(std::cos(out.headingRad), std::sin(out.headingRad));
+        const glm::dvec2 way = 0.5 * (in.edge + out.edge) + kAwayM * ahead - crossing.middle;
+        order.emplace_back(std::atan2(way.y, way.x), i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> next(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        next[order[i].second] = order[(i + 1) % order.size()].second;
+    return next;
+}
+
+Road StreetNetwork::roadAcross(const ArmsOfCrossing& crossing, std::size_t from, std::size_t to,
+                               const LaneGate& start, const LaneGate& end) const
+{
+    const StreetArm &fromArm = crossing.arms[from].arm, &toArm = crossing.arms[to].arm;
+    Road road = connectingRoad(start, end, _heights.planes[crossing.index]);
+    if (const StreetPlace place = placeAt(fromArm); place != StreetPlace::ground && place == placeAt(toArm))
+        addStructure(road, place);
+    road.junctionId = junctionId(static_cast<int>(crossing.index));
+    road.predecessor = linkTo(fromArm);
+    road.successor = linkTo(toArm);
+    return road;
+}
+
+void StreetNetwork::addTurns(const ArmsOfCrossing& crossing, const std::vector<std::size_t>& neighbours,
+                             RoadNetwork& network, StreetReport& report) const
+{
+    const std::vector<Arm>& arms = crossing.arms;
+    std::vector<ArmLanes> lanes;
+    for (const Arm& arm : arms)
+        lanes.push_back({network.roads[arm.arm.chain]
+                                 .referenceLine.at(arm.arm.isEnd ? network.roads[arm.arm.chain].length : 0.0)
+                                 .headingRad +
+                             (arm.arm.isEnd ? std::numbers::pi : 0.0),
+                         static_cast<int>(arm.in.size()), static_cast<int>(arm.out.size())});
+    Junction junction;
+    junction.id = junctionId(static_cast<int>(crossing.index));
+    std::vector<char> hasEdge(arms.size(), 0);
+    for (const Turn& turn : turnsOf(lanes, allowedTurns(_graph.crossings[crossing.index])))
+    {
+        const Arm &fromArm = arms[turn.fromArm], &toArm = arms[turn.toArm];
+        const Gate& from = fromArm.in[static_cast<std::size_t>(turn.fromLane)];
+        const Gate& to = toArm.out[static_cast<std::size_t>(turn.toLane)];
+        Road road = roadAcross(crossing, turn.fromArm, turn.toArm, from.gate, to.gate);
+        setId(road, network.roads.size() + _graph.crossings.size());
         road.sections.front().right.front().predecessors = {from.laneId};
         road.sections.front().right.front().successors = {to.laneId};
+        if (neighbours[turn.fromArm] == turn.toArm && hasEdge[turn.fromArm] == 0 &&
+            isBeside(from.gate, fromArm.sides.in) && isBeside(to.gate, toArm.sides.out))
+        {
+            addEdge(road, fromArm.sides.in, toArm.sides.out,
+                    {lineOf(fromArm.sides, crossing.middle), lineOf(toArm.sides, crossing.middle)});
+            hasEdge[turn.fromArm] = 1;
+        }
         JunctionConnection connection;
         connection.id = std::to_string(junction.connections.size());
-        connection.incomingRoadId = std::to_string(arms[turn.fromArm].arm.chain);
+        connection.incomingRoadId = std::to_string(fromArm.arm.chain);
         connection.connectingRoadId = road.id;
         connection.laneLinks.push_back({from.laneId, -1});
         junction.connections.push_back(std::move(connection));
@@ -172,6 +248,33 @@ void StreetNetwork::addJunction(std::size_t index, RoadNetwork& network, StreetR
         ++report.turns;
     }
     network.junctions.push_back(std::move(junction));
+    addCorners(crossing, neighbours, hasEdge, network);
+}
+
+/// Corners that nobody turns at have an edge without lanes for cars.
+void StreetNetwork::addCorners(const ArmsOfCrossing& crossing, const std::vector<std::size_t>& neighbours,
+                               const std::vector<char>& hasEdge, RoadNetwork& network) const
+{
+    for (std::size_t from = 0; from < neighbours.size(); ++from)
+    {
+        const std::size_t to = neighbours[from];
+        const ArmSide &start = crossing.arms[from].sides.in, &end = crossing.arms[to].sides.out;
+        if (hasEdge[from] != 0 || from == to || !haveCorner(start, end)) continue;
+        Road road = roadAcross(crossing, from, to, {start.edge, start.headingRad, 0.0},
+                               {end.edge, end.headingRad, 0.0});
+        setId(road, network.roads.size() + _graph.crossings.size());
+        road.sections.front().right.clear();
+        addEdge(road, start, end,
+                {lineOf(crossing.arms[from].sides, crossing.middle),
+                 lineOf(crossing.arms[to].sides, crossing.middle)});
+        network.roads.push_back(std::move(road));
+    }
+}
+
+void StreetNetwork::addJunction(std::size_t index, RoadNetwork& network, StreetReport& report) const
+{
+    const ArmsOfCrossing crossing = armsOf(index, network);
+    addTurns(crossing, neighboursOf(crossing), network, report);
 }
 
 } // namespace worldmaking

@@ -9,6 +9,7 @@
 #include "worldmaking/streets/BuildStreets.h"
 #include "worldmaking/streets/CentreLine.h"
 #include "worldmaking/streets/ConnectingRoad.h"
+#include "worldmaking/streets/CornerEdge.h"
 #include "worldmaking/streets/LaneLayout.h"
 #include "worldmaking/streets/Mouths.h"
 #include "worldmaking/streets/StreetGraph.h"
@@ -43,6 +44,14 @@ private:
     {
         StreetArm arm;
         std::vector<Gate> in, out;
+        ArmSides sides;
+    };
+    /// A crossing with its arms, in the order of the map.
+    struct ArmsOfCrossing
+    {
+        std::size_t index = 0;
+        std::vector<Arm> arms;
+        glm::dvec2 middle{0.0};
     };
 
     osgRoads::core::Road roadOf(std::size_t chain, StreetReport& report) const;
@@ -57,6 +66,14 @@ private:
     std::vector<char> allowedTurns(const Crossing& crossing) const;
     bool isAllowed(const Crossing& crossing, const StreetArm& from, const StreetArm& to) const;
     StreetPlace placeAt(const StreetArm& arm) const;
+    ArmsOfCrossing armsOf(std::size_t crossing, const osgRoads::core::RoadNetwork& network) const;
+    std::vector<std::size_t> neighboursOf(const ArmsOfCrossing& crossing) const;
+    osgRoads::core::Road roadAcross(const ArmsOfCrossing& crossing, std::size_t from, std::size_t to,
+                                    const LaneGate& start, const LaneGate& end) const;
+    void addTurns(const ArmsOfCrossing& crossing, const std::vector<std::size_t>& neighbours,
+                  osgRoads::core::RoadNetwork& network, StreetReport& report) const;
+    void addCorners(const ArmsOfCrossing& crossing, const std::vector<std::size_t>& neighbours,
+                    const std::vector<char>& hasEdge, osgRoads::core::RoadNetwork& network) const;
     void addJunction(std::size_t crossing, osgRoads::core::RoadNetwork& network, StreetReport& report) const;
 
     const StreetMap& _map;

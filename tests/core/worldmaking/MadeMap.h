@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +28,7 @@ public:
 
     /// Returns the id of the way, from 1.
     int way(const std::vector<int>& nodes,
-            std::initializer_list<std::pair<const char*, const char*>> tags = {{"highway", "residential"}})
+            const std::vector<std::pair<const char*, const char*>>& tags = {{"highway", "residential"}})
     {
         _ways += "<way id=\"" + std::to_string(++_lastWay) + "\">";
         for (const int node : nodes)

@@ -15,6 +15,8 @@ namespace osgRoads::core
 namespace
 {
 
+constexpr double kPavingM = 1e6; ///< farther off than any lane
+
 /// Returns how far a t beside the lanes is from them in the plan view; 0 on them.
 double besideM(const Road& road, const RoadFrame& frame, double s, double t, double lateral)
 {
@@ -22,6 +24,14 @@ double besideM(const Road& road, const RoadFrame& frame, double s, double t, dou
     const double edge = std::clamp(t, extent.rightT, extent.leftT);
     if (edge == t || !road.hasTilt()) return std::fabs(t - edge);
     return std::fabs(lateral - frame.lateralOf(edge, surfaceHeight(road, s, edge)));
+}
+
+/// Whether a place lies on the paving of a junction beside its lanes.
+bool isOnPaving(const Road& road, double s, double t)
+{
+    if (road.junction < 0) return false;
+    const auto lane = laneAt(road, s, t);
+    return lane && lane->lane->type == LaneType::special;
 }
 
 } // namespace
@@ -44,6 +54,8 @@ RoadCandidate candidateOn(const RoadNetwork& network, const RoadPiece& piece, gl
     position.t = surfaceT(road, frame, s, lateral);
     position.h = surfaceHeight(road, s, position.t);
     const double beside = besideM(road, frame, s, position.t, lateral);
+    // Who is on a lane of a junction is not on the paving below it.
+    if (beside == 0.0 && isOnPaving(road, s, position.t)) candidate.lateral += kPavingM;
     double above = 0.0;
     if (!std::isnan(height))
     {

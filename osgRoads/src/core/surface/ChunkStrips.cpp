@@ -42,6 +42,7 @@ bool ChunkStrips::isGap(std::size_t column, int side) const
 std::vector<MeshVertex> ChunkStrips::stripsAt(double from, bool hasGround) const
 {
     std::vector<MeshVertex> strips;
+    const bool mayHaveGaps = _rows.mayBeCovered() && _cover.canCoverMarks() && !_cover.hasOwnPaving(from);
     std::size_t first = 0;
     for (const Strip& strip : _shape.strips())
     {
@@ -52,8 +53,7 @@ std::vector<MeshVertex> ChunkStrips::stripsAt(double from, bool hasGround) const
         if (isPaved(vertex.kind)) vertex.decalRow = _decals.listFor(quadsOf(first, columns));
         // Nobody leaves wedges of grass between the lanes of a junction.
         const bool isRight = first < 4, isVerge = strip.isBesideLanes() && strip.kind != SurfaceKind::skirt;
-        if (isVerge && _rows.mayBeCovered() && _cover.canCoverMarks() &&
-            isGap(isRight ? first : first + 1, isRight ? -1 : 1))
+        if (isVerge && mayHaveGaps && isGap(isRight ? first : first + 1, isRight ? -1 : 1))
             vertex.kind = SurfaceKind::asphalt;
         first += columns;
         if (strip.rightMark) vertex.rightRow = _marks.rowOf(_section, *strip.rightMark, from);

@@ -84,9 +84,13 @@ ChunkVertices::StripOfRow ChunkVertices::stripOf(const ChunkRow& row, const Stri
     of.first = first;
     of.count = static_cast<std::size_t>(strip.columns);
     of.isSkirt = strip.kind == SurfaceKind::skirt;
-    of.isCutByOthers = !(strip.lane && isForCars(strip.lane->type));
+    // Pavings of a junction lie over each other in one plane; cut from corner to corner they would have
+    // holes.
+    const bool isPavingOfJunction =
+        strip.lane && strip.lane->type == LaneType::special && _cover.canCoverMarks();
+    of.isCutByOthers = !(strip.lane && isForCars(strip.lane->type)) && !isPavingOfJunction;
     of.isHidden =
-        (strip.isBesideLanes() && !place.hasGround) ||
+        (strip.isBesideLanes() && (!place.hasGround || _cover.isWithinPaving(first < 4 ? -1 : 1))) ||
         (place.isInTunnel && strip.lane && isGround(strip.kind) && isOutsideOfTunnel(*strip.lane, row));
     if (!of.isCutByOthers && !_cover.canCoverMarks()) return of;
     const auto by = strip.isBesideLanes() ? JunctionCover::By::paving : JunctionCover::By::carriageway;

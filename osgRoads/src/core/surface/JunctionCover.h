@@ -21,6 +21,14 @@ public:
     /// Whether the road's own marks may be covered: it connects others in a junction.
     bool canCoverMarks() const { return _isConnecting; }
 
+    /// Whether the road itself tells at s where the paving of its junction ends: it has a lane of the type
+    /// special.
+    bool hasOwnPaving(double s) const;
+
+    /// Whether one side of the road has no verge, since the paving of its junction goes on there: it is the
+    /// left side of a road that bears an edge of the paving, both sides of other roads beside such ones.
+    bool isWithinPaving(int side) const { return side > 0 ? _isLeftWithin : _isRightWithin; }
+
     /// Whether another road's lanes come within `radiusM` of the reference line at s in the plan view. Where
     /// none does, nothing within that distance is covered.
     bool isNearOther(double s, double radiusM) const;
@@ -43,7 +51,8 @@ public:
 private:
     const PlacedNetwork& _network;
     int _road;
-    bool _isConnecting, _canCover;
+    bool _isConnecting, _canCover, _bearsEdge;
+    bool _isLeftWithin = false, _isRightWithin = false;
 };
 
 } // namespace osgRoads::core

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "worldmaking/streets/CornerEdge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <foundation/Angle.h>
+#include <glm/geometric.hpp>
+
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
+
+#include "worldmaking/streets/ConnectingRoad.h"
+#include "worldmaking/streets/LaneLayout.h"
+
+namespace worldmaking
+{
+
+namespace
+{
+
+using osgRoads::core::Cubic;
+using osgRoads::core::CubicProfile;
+using osgRoads::core::Lane;
+using osgRoads::core::LaneSpan;
+using osgRoads::core::LaneType;
+using osgRoads::core::Road;
+
+constexpr double kLeastStripM = 0.01;
+constexpr double kFillStepM = 4.0;    ///< that of the heights of connecting roads
+constexpr double kFillOverlapM = 0.5; ///< over the paving of the next corner
+constexpr double kFillTurnRad = 0.35; ///< and in bends no longer than this
+constexpr double kFarM = 1e9;
+constexpr double kFoldShare = 0.9; ///< of the way to the centre of a bend
+
+/// What lies beside the carriageway on one side. `sign`: 1 to the left.
+ArmSide sideAt(const Road& road, const osgRoads::core::LaneSection& section, int sign, double s)
+{
+    ArmSide side;
+    double edgeT = road.laneOffset.value(s);
+    osgRoads::core::forLanesOutwards(road, section, sign, s,
+                                     [&](const LaneSpan& span)
+                                     {
+                                         if (span.lane->type == LaneType::shoulder)
+                                             side.shoulderM += span.width();
+                                         else if (span.lane->type == LaneType::sidewalk)
+                                             side.sidewalkM += span.width();
+                                         else
+                                             edgeT = span.outerT;
+                                         return true;
+                                     });
+    const auto frame = osgRoads::core::frameAt(road, s);
+    side.edge = glm::dvec2(frame.pointAt(edgeT, 0.0));
+    // Traffic to the right of which the side lies goes along the road on its right, against it on its left.
+    side.headingRad = frame.headingRad + (sign > 0 ? std::numbers::pi : 0.0);
+    return side;
+}
+
+/// Whether a point lies beyond a border and on the inner side of it: within the arm.
+bool isWithinArm(const ArmSide& side, double towardsArm, const glm::dvec2& point)
+{
+    const glm::dvec2 along(std::cos(side.headingRad), std::sin(side.headingRad)), left(-along.y, along.x);
+    const glm::dvec2 way = point - side.edge;
+    return towardsArm * glm::dot(way, along) > 0.0 && glm::dot(way, left) > 0.0;
+}
+
+Lane stripOf(LaneType type, double fromM, double toM, double lengthM)
+{
+    const double rise = toM - fromM;
+    Lane lane;
+    lane.type = type;
+    lane.width = CubicProfile({Cubic{0.0, fromM, 0.0, 3.0 * rise / (lengthM * lengthM),
+                                     -2.0 * rise / (lengthM * lengthM * lengthM)}});
+    return lane;
+}
+
+/// The kerb sinks to the ground where the sidewalk ends.
+std::vector<osgRoads::core::LaneHeight> kerbHeights(double fromM, double toM, double lengthM)
+{
+    const auto heightOf = [](double widthM) { return widthM >= kLeastStripM ? kKerbM : 0.0; };
+    return {{0.0, heightOf(fromM), heightOf(fromM)}, {lengthM, heightOf(toM), heightOf(toM)}};
+}
+
+/// How far a ray goes until it meets a half-line; nothing where it passes it.
+std::optional<double> distanceToHalfLine(const glm::dvec2& from, const glm::dvec2& way, const HalfLine& line)
+{
+    const double sine = way.x * line.way.y - way.y * line.way.x;
+    if (std::fabs(sine) < 1e-9) return std::nullopt;
+    const glm::dvec2 between = line.start - from;
+    const double along = (between.x * line.way.y - between.y * line.way.x) / sine;
+    const double beyond = (between.x * way.y - between.y * way.x) / sine;
+    return along > 0.0 && beyond >= 0.0 ? std::optional(along) : std::nullopt;
+}
+
+/// How far it is from a road to the nearer line of the streets on its left, and a little beyond.
+double fillWidthM(const Road& road, double s, const CornerLines& lines)
+{
+    const auto point = road.referenceLine.at(s);
+    const glm::dvec2 tangent = point.tangent(), left(-tangent.y, tangent.x);
+    const auto first = distanceToHalfLine(point.position, left, lines.from),
+               second = distanceToHalfLine(point.position, left, lines.to);
+    if (!first && !second) return 0.0;
+    const double lineM = std::min(first.value_or(kFarM), second.value_or(kFarM));
+    const double widthM = lineM + std::min(lineM, kFillOverlapM);
+    return point.curvature > 0.0 ? std::min(widthM, kFoldShare / point.curvature) : widthM;
+}
+
+/// The paved lane between a road and the lines of the streets that it joins.
+Lane fillOf(const Road& road, const CornerLines& lines)
+{
+    const double turnRad = std::fabs(foundation::wrappedRad(road.referenceLine.at(road.length).headingRad -
+                                                            road.referenceLine.at(0.0).headingRad));
+    const int count = std::max(
+        {1, static_cast<int>(std::ceil(road.length / kFillStepM)), static_cast<int>(turnRad / kFillTurnRad)});
+    const double stepM = road.length / count;
+    std::vector<Cubic> pieces;
+    for (int k = 0; k < count; ++k)
+    {
+        const double from = k * stepM, to = from + stepM, away = 0.01 * stepM;
+        const double start = fillWidthM(road, from, lines), end = fillWidthM(road, to, lines);
+        pieces.push_back(hermitePiece(from, stepM, start,
+                                      (fillWidthM(road, from + away, lines) - start) / away, end,
+                                      (end - fillWidthM(road, to - away, lines)) / away));
+    }
+    Lane lane;
+    lane.id = 1;
+    lane.type = LaneType::special;
+    lane.width = CubicProfile(std::move(pieces));
+    return lane;
+}
+
+} // namespace
+
+ArmSides sidesOf(const Road& road, bool isEnd)
+{
+    const double s = isEnd ? road.length : 0.0;
+    const auto& section = isEnd ? road.sections.back() : road.sections.front();
+    const ArmSide right = sideAt(road, section, -1, s), left = sideAt(road, section, 1, s);
+    return isEnd ? ArmSides{right, left} : ArmSides{left, right};
+}
+
+bool haveCorner(const ArmSide& from, const ArmSide& to)
+{
+    return !isWithinArm(from, -1.0, to.edge) && !isWithinArm(to, 1.0, from.edge);
+}
+
+void addEdge(Road& road, const ArmSide& from, const ArmSide& to, const CornerLines& lines)
+{
+    auto& section = road.sections.front();
+    if (std::max(from.shoulderM, to.shoulderM) >= kLeastStripM)
+        section.right.push_back(stripOf(LaneType::special, from.shoulderM, to.shoulderM, road.length));
+    if (std::max(from.sidewalkM, to.sidewalkM) >= kLeastStripM)
+    {
+        section.right.push_back(stripOf(LaneType::sidewalk, from.sidewalkM, to.sidewalkM, road.length));
+        section.right.back().heights = kerbHeights(from.sidewalkM, to.sidewalkM, road.length);
+    }
+    for (std::size_t i = 0; i < section.right.size(); ++i)
+        section.right[i].id = -static_cast<int>(i) - 1;
+    section.left = {fillOf(road, lines)};
+}
+
+} // namespace worldmaking
