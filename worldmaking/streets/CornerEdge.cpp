@@ -122,9 +122,13 @@ Lane fillOf(const Road& road, const CornerLines& lines)
     {
         const double from = k * stepM, to = from + stepM, away = 0.01 * stepM;
         const double start = fillWidthM(road, from, lines), end = fillWidthM(road, to, lines);
+        // Between its ends a piece stays between their widths.
+        const double most = 3.0 * (end - start) / stepM;
+        const auto kept = [most](double slope)
+        { return std::clamp(slope, std::min(most, 0.0), std::max(most, 0.0)); };
         pieces.push_back(hermitePiece(from, stepM, start,
-                                      (fillWidthM(road, from + away, lines) - start) / away, end,
-                                      (end - fillWidthM(road, to - away, lines)) / away));
+                                      kept((fillWidthM(road, from + away, lines) - start) / away), end,
+                                      kept((end - fillWidthM(road, to - away, lines)) / away)));
     }
     Lane lane;
     lane.id = 1;
