@@ -98,6 +98,11 @@ worldmaking::MadeUpSettings settingsOf(const Request& request, const MapBounds& 
     return settings;
 }
 
+void tell(const nlohmann::ordered_json& report, const Request& request)
+{
+    std::cout << summaryOf(report) << "all counts: " << (request.world / "report.json").string() << '\n';
+}
+
 /// The files of the map, the runways of a table, and how many others it has.
 struct InputHeads
 {
@@ -211,7 +216,7 @@ foundation::Result<Report> build(const Request& request)
         std::ifstream stream(request.world / "report.json");
         made.json = nlohmann::ordered_json::parse(stream, nullptr, false);
         std::cerr << "worldtool: " << request.world.string() << " is made of these inputs already\n";
-        print(made.json);
+        tell(made.json, request);
         return made;
     }
     terminal::Progress progress("worldtool", 100);
@@ -259,8 +264,7 @@ foundation::Result<Report> build(const Request& request)
     if (isMadeUp) maker.report.json["madeUp"] = madeUp;
     if (isMadeUp) maker.report.json["places"] = places;
     if (const auto made = maker.make(); !made) return made.error();
-    std::cout << summaryOf(maker.report.json) << "all counts: " << (request.world / "report.json").string()
-              << '\n';
+    tell(maker.report.json, request);
     return maker.report;
 }
 

@@ -166,15 +166,15 @@ BuiltPart builtPart(const Outlined& part, const LandShape* whole)
 /// lowest part on the ground.
 std::optional<double> leftHeightM(const BuiltPart& whole, const std::vector<BuiltPart>& parts)
 {
-    constexpr double kSameM = 0.5;
+    constexpr double kSameTopM = 0.5;
     double mostM = 0.0, leastM = 1e300;
     for (const BuiltPart& part : parts)
     {
         mostM = std::max(mostM, part.topM);
         if (part.lowM <= 0.0) leastM = std::min(leastM, part.topM);
     }
-    if (std::fabs(mostM - whole.topM) > kSameM) return std::nullopt;
-    return leastM < mostM - kSameM ? leastM : 0.0;
+    if (std::fabs(mostM - whole.topM) > kSameTopM) return std::nullopt;
+    return leastM < mostM - kSameTopM ? leastM : 0.0;
 }
 
 } // namespace

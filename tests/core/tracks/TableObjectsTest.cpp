@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
               "00:00:09,b2,47.001,8\n",
               {"a1", "b2"},
               {3, 2}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& each) { return each.param.name; });
 
 TEST(TablesOfSeveral, TellWhichAreThereAndWhatIsNobodys)
 {
