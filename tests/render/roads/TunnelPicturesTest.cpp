@@ -35,7 +35,8 @@ osg::ref_ptr<osg::Node> makeThings(const osgRoads::core::PlacedNetwork& roads, c
 {
     auto things = scenery::roads::placeRoadThings(roads);
     if (faults.noConcrete) things.own.clear();
-    if (faults.noFront) things.own.erase(things.own.end() - 2, things.own.end()); // the portals are the last
+    if (faults.noFront)
+        things.own.erase(things.own.end() - 4, things.own.end()); // fronts and backs are the last
     auto node = scenery::RoadThingsNode::create(things);
     EXPECT_TRUE(node);
     return node ? (*node)->node() : nullptr;
