@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "worldtool/BuildReport.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace worldtool
 {
@@ -25,18 +29,50 @@ std::string wordsOf(std::string_view key)
     return words;
 }
 
-/// "412 streets", or "max grade 7.9 %" where the key ends with a unit.
-std::string countOf(std::string_view key, double value)
+/// A count in words.
+struct Count
+{
+    std::string text; ///< "412 streets", or "max grade 7.9 %" where the key ends with a unit
+    double value = 0.0;
+    bool isMeasure = false; ///< has a unit
+};
+
+Count countOf(std::string_view key, double value)
 {
     constexpr std::array<std::pair<std::string_view, const char*>, 5> kUnits{
         {{"Km2", "km2"}, {"Km", "km"}, {"Ha", "ha"}, {"Percent", "%"}, {"M", "m"}}};
     std::array<char, 32> number{};
-    std::snprintf(number.data(), number.size(), "%.*f",
-                  value == static_cast<double>(static_cast<long long>(value)) ? 0 : 1, value);
+    std::snprintf(number.data(), number.size(), "%.*f", value == std::round(value) ? 0 : 1, value);
     for (const auto& [suffix, unit] : kUnits)
         if (key.ends_with(suffix))
-            return wordsOf(key.substr(0, key.size() - suffix.size())) + " " + number.data() + " " + unit;
-    return std::string(number.data()) + " " + wordsOf(key);
+            return {wordsOf(key.substr(0, key.size() - suffix.size())) + " " + number.data() + " " + unit,
+                    value, true};
+    return {std::string(number.data()) + " " + wordsOf(key), value, false};
+}
+
+/// What a row has that is not 0; of tags, which are many, the ten most frequent. Empty: it counts nothing.
+std::string countsOf(const nlohmann::ordered_json& row)
+{
+    constexpr std::size_t kMostTags = 10;
+    std::vector<Count> counts;
+    bool areTags = false;
+    for (const auto& [key, value] : row.items())
+    {
+        if (!value.is_number() || value.get<double>() == 0.0) continue;
+        counts.push_back(countOf(key, value.get<double>()));
+        areTags = areTags || key.find('=') != std::string::npos;
+    }
+    if (std::all_of(counts.begin(), counts.end(), [](const Count& count) { return count.isMeasure; }))
+        return {};
+    if (areTags)
+        std::stable_sort(counts.begin(), counts.end(),
+                         [](const Count& a, const Count& b) { return a.value > b.value; });
+    const std::size_t told = areTags ? std::min(counts.size(), kMostTags) : counts.size();
+    std::string text;
+    for (std::size_t i = 0; i < told; ++i)
+        text += (i == 0 ? "" : ", ") + counts[i].text;
+    if (told < counts.size()) text += " and " + std::to_string(counts.size() - told) + " other tags";
+    return text;
 }
 
 } // namespace
@@ -50,11 +86,8 @@ std::string summaryOf(const nlohmann::ordered_json& report)
             for (const auto& note : row)
                 lines += "note: " + note.get<std::string>() + '\n';
         if (!row.is_object()) continue;
-        std::string counts;
-        for (const auto& [key, value] : row.items())
-            if (value.is_number() && value.get<double>() != 0.0)
-                counts += (counts.empty() ? "" : ", ") + countOf(key, value.get<double>());
-        if (!counts.empty()) lines += wordsOf(part) + ": " + counts + '\n';
+        if (const std::string counts = countsOf(row); !counts.empty())
+            lines += wordsOf(part) + ": " + counts + '\n';
     }
     return lines;
 }

@@ -64,7 +64,12 @@ TEST(WorldTool, SaysWhatItCannotUse)
     EXPECT_TRUE(failsWith(built((folder / "no.tif").string(), folder.write("there.osm", there.text())), 1,
                           "worldtool", {"no.tif"}));
     EXPECT_FALSE(std::filesystem::exists(folder / "world/roads.xodr"));
-    EXPECT_EQ(built(ground, folder / "there.osm").exitCode, 0);
+    const ProgramRun whole = built(ground, folder / "there.osm");
+    EXPECT_EQ(whole.exitCode, 0);
+    EXPECT_NE(whole.output.find("\nstreets: "), std::string::npos) << whole.text();
+    EXPECT_NE(whole.output.find("all counts: "), std::string::npos);
+    EXPECT_EQ(whole.output.find(": 0 "), std::string::npos) << "what is not there is not counted";
+    EXPECT_LT(std::count(whole.output.begin(), whole.output.end(), '\n'), 20);
     EXPECT_TRUE(std::filesystem::exists(folder / "world/roads.xodr"));
     EXPECT_TRUE(std::filesystem::exists(folder / "world/world.roam"));
 }
