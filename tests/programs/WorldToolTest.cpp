@@ -66,7 +66,7 @@ TEST(WorldTool, SaysWhatItCannotUse)
     EXPECT_FALSE(std::filesystem::exists(folder / "world/roads.xodr"));
     const ProgramRun whole = built(ground, folder / "there.osm");
     EXPECT_EQ(whole.exitCode, 0);
-    EXPECT_NE(whole.output.find("\nstreets: "), std::string::npos) << whole.text();
+    EXPECT_NE(whole.output.find("streets: "), std::string::npos) << whole.text();
     EXPECT_NE(whole.output.find("all counts: "), std::string::npos);
     EXPECT_EQ(whole.output.find(": 0 "), std::string::npos) << "what is not there is not counted";
     EXPECT_LT(std::count(whole.output.begin(), whole.output.end(), '\n'), 20);
