@@ -47,7 +47,8 @@ public:
         look();
         _runner.step(clock.seconds());
         // What triggers change shows with the next step on roads, as in esmini's tables.
-        if (!_roads) publish();
+        if (!_roads) states = _performer.states();
+        findRoads();
         environment = _environmentClock.at(clock.seconds());
     }
 
@@ -72,7 +73,7 @@ private:
     void look()
     {
         ConditionFacts& facts = _runner.facts();
-        takeStates();
+        states = _performer.states();
         facts.entities = {&scenario,      &states, &_lasting, _roads.get(), &_performer.positions(),
                           clock.seconds()};
         updateLasting(facts.entities, _lasting);
@@ -82,10 +83,9 @@ private:
         facts.dateTime = _environmentClock.at(clock.seconds()).dateTime;
     }
 
-    /// Takes the states, and finds the road under each.
-    void takeStates()
+    /// Finds the road under each entity, for tables: conditions do not ask.
+    void findRoads()
     {
-        states = _performer.states();
         if (!_roadsUnder) return;
         for (EntityState& state : states)
         {
@@ -99,7 +99,8 @@ private:
 
     void publish()
     {
-        takeStates();
+        states = _performer.states();
+        findRoads();
         environment = _environmentClock.at(clock.seconds());
     }
 
