@@ -9,6 +9,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "worldmaking/map/PlaceKey.h"
+
 namespace worldmaking
 {
 
@@ -52,13 +54,10 @@ void joinStreets(StreetMap& map, StreetMap other)
         map = std::move(other);
         return;
     }
-    constexpr double kPerDegree = 1e7;
-    const auto placeOf = [](const MapNode& node)
-    {
-        return std::pair(std::llround(node.longitudeDeg * kPerDegree),
-                         std::llround(node.latitudeDeg * kPerDegree));
+    const auto placeOf = [](const MapNode& node) {
+        return placeKeyOf({node.longitudeDeg, node.latitudeDeg});
     };
-    std::map<std::pair<long long, long long>, std::uint32_t> places;
+    std::map<PlaceKey, std::uint32_t> places;
     std::int64_t lastNode = 0, lastWay = 0;
     for (std::uint32_t i = 0; i < map.nodes.size(); ++i)
     {

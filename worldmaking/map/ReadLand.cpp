@@ -19,6 +19,7 @@
 
 #include "worldmaking/map/ConvertedXml.h"
 #include "worldmaking/map/GdalScope.h"
+#include "worldmaking/map/PlaceKey.h"
 
 namespace worldmaking
 {
@@ -299,8 +300,7 @@ void tagsOfClass(LandShape& shape)
 StreetMap streetsOf(const LandMap& land)
 {
     StreetMap streets;
-    std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> nodes;
-    constexpr double kPerDegree = 1e7;
+    std::map<PlaceKey, std::uint32_t> nodes;
     std::int64_t nextId = 1;
     for (const LandShape& shape : land.shapes)
     {
@@ -308,7 +308,7 @@ StreetMap streetsOf(const LandMap& land)
         MapWay way{nextId++, {}, shape.tags};
         for (const glm::dvec2& place : shape.paths.front())
         {
-            const std::pair key{std::llround(place.x * kPerDegree), std::llround(place.y * kPerDegree)};
+            const PlaceKey key = placeKeyOf(place);
             const auto [found, isNew] =
                 nodes.try_emplace(key, static_cast<std::uint32_t>(streets.nodes.size()));
             if (isNew)

@@ -17,6 +17,7 @@
 #include "scenery/buildings/Outline.h"
 #include "scenery/structures/Footbridge.h"
 #include "worldmaking/land/Waters.h"
+#include "worldmaking/map/PlaceKey.h"
 #include "worldmaking/streets/LaneLayout.h"
 #include "worldmaking/streets/PlanPieces.h"
 
@@ -26,8 +27,6 @@ namespace worldmaking
 namespace
 {
 
-using PlaceKey = std::pair<std::int64_t, std::int64_t>;
-
 constexpr double kFootStepM = 2.5;                           ///< between heights along a footbridge
 constexpr double kWalkersM = 2.5, kOverWaterM = 0.9;         ///< clear
 constexpr std::array<double, 4> kRamps{0.1, 0.2, 0.35, 0.6}; ///< the last ones are stairs
@@ -35,12 +34,6 @@ constexpr double kMostRampM = 90.0, kStraightRampM = 25.0, kOnGroundM = 0.05;
 constexpr double kPierEveryM = 14.0, kPierSideM = 1.2;
 constexpr double kTrackSideM = 2.5;
 constexpr std::size_t kMostFootNotes = 10;
-
-PlaceKey placeKeyOf(const glm::dvec2& degrees)
-{
-    constexpr double kPerDegree = 1e7;
-    return {std::llround(degrees.x * kPerDegree), std::llround(degrees.y * kPerDegree)};
-}
 
 double footWidthOf(const Tags& tags)
 {

@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "worldmaking/map/PlaceKey.h"
 #include "worldmaking/streets/Overpass.h"
 
 namespace worldmaking
@@ -37,14 +38,6 @@ constexpr std::array<TrackClass, 6> kTrackClasses{{{"rail", 0.04},
                                                    {"narrow_gauge", 0.07},
                                                    {"tram", 0.12}}};
 constexpr double kMainLine = 0.025;
-
-using NodeKey = std::pair<std::int64_t, std::int64_t>;
-
-NodeKey keyOf(double latitudeDeg, double longitudeDeg)
-{
-    constexpr double kPerDegree = 1e7;
-    return {std::llround(latitudeDeg * kPerDegree), std::llround(longitudeDeg * kPerDegree)};
-}
 
 /// A place along a chain, before chains are cut.
 struct TrackPlace
@@ -255,9 +248,9 @@ StreetMap tracksOf(const LandMap& land, const std::vector<MapNode>& nodes, const
 {
     StreetMap map;
     map.nodes = nodes;
-    std::map<NodeKey, std::uint32_t> numbers;
+    std::map<PlaceKey, std::uint32_t> numbers;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        numbers.try_emplace(keyOf(nodes[i].latitudeDeg, nodes[i].longitudeDeg),
+        numbers.try_emplace(placeKeyOf({nodes[i].longitudeDeg, nodes[i].latitudeDeg}),
                             static_cast<std::uint32_t>(i));
     for (std::size_t i = 0; i < land.shapes.size(); ++i)
     {
@@ -271,7 +264,7 @@ StreetMap tracksOf(const LandMap& land, const std::vector<MapNode>& nodes, const
         for (const glm::dvec2& place : path)
         {
             const auto [found, isNew] =
-                numbers.try_emplace(keyOf(place.y, place.x), static_cast<std::uint32_t>(map.nodes.size()));
+                numbers.try_emplace(placeKeyOf(place), static_cast<std::uint32_t>(map.nodes.size()));
             if (isNew) map.nodes.push_back({0, place.y, place.x});
             if (way.nodes.empty() || way.nodes.back() != found->second) way.nodes.push_back(found->second);
         }
