@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Programs that test: GoogleTest and libFuzzer.
 
-# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ... [TIMEOUT s] [SPLIT suite…] [UNOPTIMISED]): a GoogleTest
+# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ... [TIMEOUT s] [SPLIT suite…] [OPTIMISED]): a GoogleTest
 # program, one ctest test a suite, or a test in the suites that SPLIT names: long ones whose tests share nothing.
-# UNOPTIMISED: its own code computes little, since it runs other programs; it compiles in little more than half the time.
+# Most tests compute little in their own code, next to that of the libraries, and are compiled in little more than half the
+# time without optimisation. OPTIMISED: this one computes so much that it would run for seconds longer.
 function(osgtrainer_test name)
-    cmake_parse_arguments(arg "UNOPTIMISED" "LABEL;TIMEOUT" "SOURCES;LINK;SPLIT" ${ARGN})
+    cmake_parse_arguments(arg "OPTIMISED" "LABEL;TIMEOUT" "SOURCES;LINK;SPLIT" ${ARGN})
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 600)
     endif()
@@ -21,7 +22,7 @@ function(osgtrainer_test name)
     endif()
     target_compile_definitions(${name} PRIVATE OSGTRAINER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     osgtrainer_common(${name})
-    if(arg_UNOPTIMISED)
+    if(NOT arg_OPTIMISED)
         target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O0>)
     endif()
     target_compile_options(${name} PRIVATE
