@@ -98,6 +98,58 @@ TEST_F(KeptResultsTest, EveryDamagedByteAndEveryCutIsNoResult)
     EXPECT_EQ(textOf(onlyFile()), whole);
 }
 
+TEST_F(KeptResultsTest, DamageIsToldOnceWithTheFileAndMadeGood)
+{
+    static std::vector<std::string> told;
+    told.clear();
+    const KeptResults kept(_folder, markOfText("program"), 4000,
+                           [](const std::string& line) { told.push_back(line); });
+    const auto sum = [&](const char* wanted)
+    {
+        const auto read = [&](std::string_view bytes)
+        { return bytes == wanted ? std::optional(std::string(bytes)) : std::nullopt; };
+        return kept.findOrMake(
+            "sum", markOfText("1 2"), read, [&] { return std::string(wanted); },
+            [](const std::string& text) { return text; });
+    };
+    EXPECT_EQ(sum("3"), "3"); // nothing is there yet
+    EXPECT_EQ(sum("3"), "3");
+    EXPECT_TRUE(told.empty());
+    write(onlyFile(), textOf(onlyFile()) + "x");
+    EXPECT_EQ(sum("3"), "3");
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_NE(told.front().find(onlyFile().string()), std::string::npos) << told.front();
+    EXPECT_EQ(sum("3"), "3");
+    EXPECT_EQ(told.size(), 1U);
+    EXPECT_EQ(sum("three"), "three"); // undamaged, but its reader does not take it
+    EXPECT_EQ(told.size(), 2U);
+}
+
+TEST_F(KeptResultsTest, WhatIsTooLargeIsNotWrittenOut)
+{
+    const KeptResults kept(_folder, markOfText("program"), 400);
+    std::vector<std::uintmax_t> limits;
+    const auto ask = [&](std::size_t size)
+    {
+        const auto read = [](std::string_view bytes) { return std::optional(std::string(bytes)); };
+        const auto write = [&](const std::string& text, std::uintmax_t mostBytes)
+        {
+            limits.push_back(mostBytes);
+            return text.size() > mostBytes ? std::nullopt : std::optional(text);
+        };
+        return kept
+            .findOrMake(
+                "word", markOfText(std::to_string(size)), read, [&] { return std::string(size, 'x'); }, write)
+            .size();
+    };
+    EXPECT_EQ(ask(101), 101U);
+    EXPECT_FALSE(fs::exists(_folder));
+    EXPECT_EQ(ask(100), 100U);
+    EXPECT_EQ(ask(100), 100U); // found
+    EXPECT_EQ(limits, (std::vector<std::uintmax_t>{100, 100}));
+    EXPECT_EQ(fs::file_size(onlyFile()), 100U + 18U + 33U);
+}
+
 TEST_F(KeptResultsTest, WhatCannotBeWrittenIsNotKept)
 {
     write(_folder, "a file where the folder would be");
