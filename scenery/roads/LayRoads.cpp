@@ -182,8 +182,8 @@ osgRoads::core::RoadMesh roadMeshOf(const osgTerrainROAM::core::RoamFile& descri
     if (const auto& origin = description.roadsOrigin)
         mark.add(std::vector<double>{origin->latitudeDeg, origin->longitudeDeg, origin->headingDeg});
     return kept.findOrMake("roads", mark, osgRoads::core::roadMeshIn, make,
-                           [](const osgRoads::core::RoadMesh& mesh)
-                           { return osgRoads::core::bytesOf(mesh); });
+                           [](const osgRoads::core::RoadMesh& mesh, std::uintmax_t mostBytes)
+                           { return osgRoads::core::bytesOf(mesh, mostBytes); });
 }
 
 std::vector<GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads)
