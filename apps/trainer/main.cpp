@@ -2,6 +2,8 @@
 // trainer: plays scenarios over terrain and writes images of them.
 #include <vector>
 
+#include <foundation/HugeHeap.h>
+
 #include <osgOffscreen/OpenGlVersion>
 
 #include "commands/Commands.h"
@@ -35,5 +37,6 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    foundation::growHeapInHugePages();
     return terminal::guarded("trainer", [=] { return run(argc, argv); });
 }

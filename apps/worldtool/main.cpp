@@ -2,6 +2,8 @@
 // worldtool: makes worlds from elevation data and maps.
 #include <algorithm>
 
+#include <foundation/HugeHeap.h>
+
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "worldmaking/map/MapSources.h"
@@ -92,5 +94,6 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    foundation::growHeapInHugePages();
     return terminal::guarded("worldtool", [=] { return run(argc, argv); });
 }

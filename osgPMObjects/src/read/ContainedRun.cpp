@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include <fcntl.h>
+#include <foundation/HugeHeap.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -65,6 +66,7 @@ void restrain(const ReadLimits& limits)
 {
     const rlimit none{0, 0};
     setrlimit(RLIMIT_CORE, &none);
+    foundation::shrinkHeap();
     const rlim_t bytes = static_cast<rlim_t>(limits.memoryMiB) << 20;
     const rlimit memory{bytes, bytes};
     if (!kIsSanitized) setrlimit(RLIMIT_AS, &memory);
