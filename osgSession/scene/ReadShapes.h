@@ -9,8 +9,8 @@
 namespace trainer
 {
 
-/// Reads the points, areas and lines of a source of a world, or finds what it held the last time, and tells
-/// its notes. Errors: those of importShapes().
+/// Reads the points, areas and lines of a source of a world, or finds what it held the last time. Errors:
+/// those of importShapes().
 foundation::Result<osgTerrainROAM::core::ShapeSet> readShapes(const std::filesystem::path& source,
                                                               const osgTerrainROAM::core::RoamTile& tile);
 

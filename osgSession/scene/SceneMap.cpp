@@ -7,8 +7,6 @@
 #include <numbers>
 #include <string>
 
-#include <osg/Notify>
-
 #include "ReadShapes.h"
 #include "scenery/buildings/StandBuildings.h"
 #include "scenery/models/Catalogue.h"
@@ -106,6 +104,7 @@ public:
 
     void add(const ShapeSet& shapes)
     {
+        _placed.placements.reserve(_placed.placements.size() + shapes.shapes.size());
         for (const MapShape& shape : shapes.shapes)
             if (shape.isArea() || !stand(shape)) ++unused;
     }
@@ -177,41 +176,47 @@ scenery::SkyHiders wallsOf(const std::vector<scenery::StandingBuilding>& buildin
 
 foundation::Outcome addBuildings(const std::filesystem::path& source,
                                  const osgTerrainROAM::core::RoamTile& tile, const HeightOfGround& ground,
-                                 const scenery::NearestStreet& street, std::vector<StandingPart>& standing)
+                                 const scenery::NearestStreet& street, MapScenery& map)
 {
     const auto shapes = readShapes(source, tile);
     if (!shapes) return shapes.error();
+    map.notes.insert(map.notes.end(), shapes->notes.begin(), shapes->notes.end());
     const scenery::StandingBuildings made = scenery::standBuildings(*shapes, ground, street);
     if (made.buildings.empty()) return nothingIn(source, "give footprints of buildings of this place");
-    OSG_NOTICE << source.string() << ": " << made.buildings.size() << " buildings; "
-               << shapes->outside + made.beyondGround << " beyond the ground, "
-               << shapes->lines + shapes->invalid + made.unusable << " not usable\n";
-    standing.push_back(
+    map.notes.push_back(source.string() + ": " + std::to_string(made.buildings.size()) + " buildings; " +
+                        std::to_string(shapes->outside + made.beyondGround) + " beyond the ground, " +
+                        std::to_string(shapes->lines + shapes->invalid + made.unusable) + " not usable");
+    map.standing.push_back(
         {"buildings", scenery::makeBuildingsNode(made.buildings), nullptr, {}, wallsOf(made.buildings)});
     return foundation::success();
 }
 
 } // namespace
 
-foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& description,
-                                  const osgTerrainROAM::core::RoamTile& tile, const HeightOfGround& ground,
-                                  const osgRoads::core::PlacedNetwork* roads,
-                                  std::vector<StandingPart>& standing)
+foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFile& description,
+                                              const osgTerrainROAM::core::RoamTile& tile,
+                                              const HeightOfGround& ground,
+                                              const osgRoads::core::PlacedNetwork* roads)
 {
+    MapScenery map;
     const scenery::NearestStreet street = roads ? scenery::nearestStreet(*roads) : scenery::NearestStreet();
     for (const std::filesystem::path& source : description.buildings)
-        if (const auto added = addBuildings(source, tile, ground, street, standing); !added) return added;
+        if (const auto added = addBuildings(source, tile, ground, street, map); !added) return added.error();
     Objects objects(ground);
     for (const std::filesystem::path& source : description.objects)
     {
         const auto shapes = readShapes(source, tile);
         if (!shapes) return shapes.error();
+        map.notes.insert(map.notes.end(), shapes->notes.begin(), shapes->notes.end());
         objects.add(*shapes);
         if (objects.isEmpty()) return nothingIn(source, "give points with a kind of the generated models");
     }
     if (objects.unused > 0)
-        OSG_NOTICE << "objects: " << objects.unused << " of no known kind, or beyond the ground\n";
-    return objects.isEmpty() ? foundation::success() : objects.addTo(standing, "objects");
+        map.notes.push_back("objects: " + std::to_string(objects.unused) +
+                            " of no known kind, or beyond the ground");
+    if (!objects.isEmpty())
+        if (const auto added = objects.addTo(map.standing, "objects"); !added) return added.error();
+    return map;
 }
 
 } // namespace trainer

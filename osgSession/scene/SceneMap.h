@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <foundation/Result.h>
 
@@ -18,12 +20,20 @@ namespace trainer
 /// Returns the height of the ground in the scene's z; nothing beyond the data.
 using HeightOfGround = std::function<std::optional<double>(double eastM, double northM)>;
 
+/// What stands on a ground by a map.
+struct MapScenery
+{
+    std::vector<StandingPart> standing;
+    std::vector<std::string> notes; ///< what could not be used, and how much could; a line each
+};
+
 /// Makes what a .roam file's `buildings` and `objects` put on the ground, houses with their doors to the
-/// roads (null: none), and says what could not be used.
+/// roads (null: none).
 /// Errors: those of importShapes(); a source without anything that can stand here.
-foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& description,
-                                  const osgTerrainROAM::core::RoamTile& tile, const HeightOfGround& ground,
-                                  const osgRoads::core::PlacedNetwork* roads,
-                                  std::vector<StandingPart>& standing);
+/// Threads: any, as long as nobody changes the tile: nothing is written but what is returned.
+foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFile& description,
+                                              const osgTerrainROAM::core::RoamTile& tile,
+                                              const HeightOfGround& ground,
+                                              const osgRoads::core::PlacedNetwork* roads);
 
 } // namespace trainer

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SceneRoads.h"
 
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <foundation/KeptFrom.h>
+#include <foundation/Threads.h>
 
 #include <osg/Group>
 #include <osg/NodeVisitor>
@@ -17,6 +20,7 @@
 
 #include "SceneMap.h"
 #include "SceneStrip.h"
+#include "SceneStructures.h"
 #include "scenery/ground/TileGround.h"
 #include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/RoadThingsNode.h"
@@ -41,75 +45,130 @@ const double kRibbonsFromM = 0.8 * osgRoads::core::RoadViewSettings().farthestM;
 
 constexpr double kStripSpacingM = 5.0; ///< between the samples of a strip
 
-/// The height of the bare ground of a terrain, which must outlive it.
-HeightOfGround bareGround(const osgTerrainROAM::RoamTerrain& terrain)
+/// The height of the bare ground of a tile, which must outlive it.
+HeightOfGround bareGround(const RoamTile& tile)
 {
-    return [query = ground::groundOf(terrain.tile()->tile)](double x, double y) -> std::optional<double>
+    return [query = ground::groundOf(tile.tile)](double x, double y) -> std::optional<double>
     {
         const auto sample = query(x, y);
         return sample ? std::optional(sample->heightM) : std::nullopt;
     };
 }
 
-/// Signs, lights, posts, rails, bridges and tunnels.
-foundation::Result<std::unique_ptr<scenery::RoadThingsNode>>
-makeThings(const osgTerrainROAM::RoamTerrain& terrain, const PlacedNetwork& roads)
+/// The drawn surface of roads, and what stands beside and over them: signs, lights, posts, rails, bridges and
+/// tunnels.
+struct RoadParts
 {
-    return scenery::RoadThingsNode::create(scenery::roads::placeRoadThings(roads, bareGround(terrain)));
+    std::shared_ptr<const osgRoads::core::RoadMesh> mesh;
+    std::unique_ptr<scenery::RoadThingsNode> things;
+};
+
+/// What a scene is made of besides its land. Each is absent until it is made, and null or empty where there
+/// is none.
+struct PartsOfScene
+{
+    std::optional<foundation::Result<RoadParts>> roads;
+    std::optional<foundation::Result<MapScenery>> map;
+    std::optional<foundation::Result<MadeStructures>> structures;
+    std::optional<foundation::Result<std::vector<SceneRunway>>> runways;
+};
+
+foundation::Result<RoadParts> makeRoadParts(const RoamFile& description, const RoamTile& tile,
+                                            const scenery::SceneRoads& roads,
+                                            const foundation::KeptFrom& kept)
+{
+    if (!roads.placed) return RoadParts();
+    RoadParts parts;
+    parts.mesh =
+        std::make_shared<const osgRoads::core::RoadMesh>(scenery::roadMeshOf(description, roads, kept));
+    auto things =
+        scenery::RoadThingsNode::create(scenery::roads::placeRoadThings(*roads.placed, bareGround(tile)));
+    if (!things) return things.error();
+    parts.things = std::move(*things);
+    return parts;
 }
 
-/// Adds the buildings and objects of a description.
-foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerrain scene,
-                                         OpeningClock& opening)
+/// The land with what is painted on it, cut open where roads enter tunnels.
+foundation::Result<osg::ref_ptr<osgTerrainROAM::RoamTerrain>>
+makeLand(const RoamFile& description, const std::shared_ptr<RoamTile>& tile, const scenery::SceneRoads& roads,
+         const std::vector<osgTerrainROAM::core::GroundFeature>& painted, const foundation::KeptFrom& kept)
 {
-    if (description.buildings.empty() && description.objects.empty()) return scene;
-    const osg::ref_ptr<osg::Group> group = new osg::Group;
-    group->addChild(scene.node);
-    const auto added = addMapScenery(description, *scene.terrain->tile(), bareGround(*scene.terrain),
-                                     scene.roads.get(), scene.standing);
-    if (!added) return added.error();
-    for (const StandingPart& part : scene.standing)
-        group->addChild(part.node);
-    scene.node = group;
-    opening.end("map");
-    return scene;
+    osgTerrainROAM::MoreFeatures more{painted, {}};
+    if (roads.placed) more = {painted, scenery::farRoads(*roads.placed), kRibbonsFromM};
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, std::move(more), kept);
+    if (!terrain || !roads.placed) return terrain;
+    const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
+    if (!openings) return openings.error();
+    (*terrain)->material()->setOpenings(*openings);
+    return terrain;
 }
 
-/// Adds the roads' surface and what stands beside them to a terrain, and tells what is wrong with their file.
-foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain,
-                                           const scenery::SceneRoads& roads, osgRoads::core::RoadMesh made,
-                                           OpeningClock& opening)
+/// Adds the roads' surface and what stands beside them to a scene, and tells what is wrong with their file.
+void addRoads(RoadParts made, const scenery::SceneRoads& roads, SceneTerrain& scene)
 {
     for (const std::string& note : roads.notes)
         OSG_NOTICE << note << '\n';
-    auto mesh = std::make_shared<const osgRoads::core::RoadMesh>(std::move(made));
     const std::string unreached =
-        osgRoads::core::unreachedMessage(*mesh, roads.placed->network(), roads.file);
+        osgRoads::core::unreachedMessage(*made.mesh, roads.placed->network(), roads.file);
     if (!unreached.empty()) OSG_NOTICE << unreached << '\n';
-    const osg::ref_ptr<osg::Group> scene = new osg::Group;
-    scene->addChild(terrain);
-    scene->addChild(scenery::makeRoadNode(std::move(mesh), terrain));
-    auto things = makeThings(*terrain, *roads.placed);
-    if (!things) return things.error();
-    scene->addChild((*things)->node());
-    opening.end("roads");
-    return SceneTerrain{scene, terrain, roads.placed, std::move(*things)};
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(scene.node);
+    group->addChild(scenery::makeRoadNode(std::move(made.mesh), scene.terrain));
+    group->addChild(made.things->node());
+    scene.node = group;
+    scene.roads = roads.placed;
+    scene.roadThings = std::move(made.things);
 }
 
+/// Adds the buildings and objects of a description, and tells what of them could not be used.
+void addMap(MapScenery map, SceneTerrain& scene)
+{
+    for (const std::string& note : map.notes)
+        OSG_NOTICE << note << '\n';
+    if (map.standing.empty()) return;
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(scene.node);
+    for (const StandingPart& part : map.standing)
+        group->addChild(part.node);
+    scene.standing = std::move(map.standing);
+    scene.node = group;
+}
+
+/// Makes all that stands on a tile, its land in this thread and the rest in others: none needs another. The
+/// order in which they end changes neither the scene nor what is told.
 foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const std::shared_ptr<RoamTile>& tile,
                                            const scenery::SceneRoads& roads,
                                            const std::vector<osgTerrainROAM::core::GroundFeature>& painted,
                                            OpeningClock& opening)
 {
     const auto kept = foundation::KeptFrom::ofUser(tile->mark());
-    auto terrain = osgTerrainROAM::makeTerrain(
-        description, tile, {painted, scenery::farRoads(*roads.placed), kRibbonsFromM}, kept);
-    if (!terrain) return terrain.error();
-    const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
-    if (!openings) return openings.error();
-    (*terrain)->material()->setOpenings(*openings);
+    PartsOfScene parts;
+    foundation::Threads beside;
+    beside.run(
+        [&]
+        { parts.map.emplace(makeMapScenery(description, *tile, bareGround(*tile), roads.placed.get())); });
+    beside.run([&] { parts.roads.emplace(makeRoadParts(description, *tile, roads, kept)); });
+    beside.run(
+        [&]
+        {
+            parts.structures.emplace(makeStructures(description, *tile));
+            parts.runways.emplace(sceneRunways(description, *tile));
+        });
+    const auto terrain = makeLand(description, tile, roads, painted, kept);
     opening.end("land");
-    return withRoads(*terrain, roads, scenery::roadMeshOf(description, roads, kept), opening);
+    beside.join();
+    if (!terrain) return terrain.error();
+    if (!*parts.roads) return parts.roads->error();
+    if (!*parts.map) return parts.map->error();
+    if (!*parts.runways) return parts.runways->error();
+    if (!*parts.structures) return parts.structures->error();
+    SceneTerrain scene{*terrain, *terrain, nullptr};
+    if (roads.placed) addRoads(std::move(**parts.roads), roads, scene);
+    addMap(std::move(**parts.map), scene);
+    scene.runways = std::move(**parts.runways);
+    if (const auto added = addStructures(**parts.structures, scene); !added) return added.error();
+    opening.end("what stands on it");
+    return scene;
 }
 
 /// Returns the land cover of ground that is made up for a network: meadow. Nothing is planted on it, so it
@@ -163,17 +222,6 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked, con
     OpeningClock& opening = *request.opening;
     if (strip && !description.finestSpacingM) description.finestSpacingM = kStripSpacingM;
     const foundation::KeptResults kept = foundation::KeptResults::ofUser();
-    if (description.roads.empty() && !strip)
-    {
-        const auto bare = osgTerrainROAM::core::loadRoamTile(description, &kept);
-        if (!bare) return bare.error();
-        opening.end("ground");
-        auto terrain = osgTerrainROAM::makeTerrain(description, *bare, {},
-                                                   foundation::KeptFrom::ofUser((*bare)->mark()));
-        if (!terrain) return terrain.error();
-        opening.end("land");
-        return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr}, opening);
-    }
     const auto loaded = scenery::loadRoadTile(description, &kept);
     if (!loaded) return loaded.error();
     const auto& [tile, roads] = *loaded;
@@ -185,16 +233,7 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked, con
         painted.push_back(*runway);
     }
     opening.end("ground");
-    if (roads.placed)
-    {
-        auto scene = makeScene(description, tile, roads, painted, opening);
-        return scene ? withMap(description, *std::move(scene), opening) : scene;
-    }
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), {}},
-                                               foundation::KeptFrom::ofUser(tile->mark()));
-    if (!terrain) return terrain.error();
-    opening.end("land");
-    return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr}, opening);
+    return makeScene(description, tile, roads, painted, opening);
 }
 
 foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, const TerrainRequest& request)

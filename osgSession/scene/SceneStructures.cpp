@@ -24,14 +24,6 @@ namespace trainer
 namespace
 {
 
-/// What a world has besides its ground.
-struct Standing
-{
-    std::vector<scenery::Structure> structures;
-    std::vector<glm::dvec2> windsocks;
-    std::size_t unused = 0;
-};
-
 bool isWindsock(const osgTerrainROAM::core::MapShape& shape)
 {
     for (const char* key : {"kind", "aeroway"})
@@ -41,7 +33,7 @@ bool isWindsock(const osgTerrainROAM::core::MapShape& shape)
 }
 
 void add(const osgTerrainROAM::core::ShapeSet& shapes, const osgTerrainROAM::core::PlacedTile& tile,
-         Standing& standing)
+         MadeStructures& standing)
 {
     const auto take = [&](std::vector<glm::dvec2> line, const auto& tags, std::int64_t id)
     {
@@ -89,62 +81,73 @@ void addPapis(const SceneRunway& runway, const scenery::GroundHeight& ground,
     }
 }
 
-foundation::Result<Standing> standingOf(const osgTerrainROAM::core::RoamFile& description,
-                                        const osgTerrainROAM::core::RoamTile& tile)
+scenery::GroundHeight groundOf(const osgTerrainROAM::core::PlacedTile& tile)
 {
-    Standing standing;
-    for (const auto& source : description.structures)
-    {
-        const auto shapes = readShapes(source, tile);
-        if (!shapes) return shapes.error();
-        add(*shapes, tile.tile, standing);
-        if (standing.structures.empty() && standing.windsocks.empty())
-            return foundation::Error{source.string(), "has nothing that can stand here",
-                                     "give lines of walls, fences, power lines or railways of this place"};
-    }
-    return standing;
-}
-
-} // namespace
-
-foundation::Outcome addStructures(const osgTerrainROAM::core::RoamFile& description, SceneTerrain& scene)
-{
-    const auto& tile = scene.terrain->tile()->tile;
-    const auto standing = standingOf(description, *scene.terrain->tile());
-    if (!standing) return standing.error();
-    const scenery::GroundHeight ground =
-        [query = ground::groundOf(tile)](double eastM, double northM) -> std::optional<double>
+    return [query = ground::groundOf(tile)](double eastM, double northM) -> std::optional<double>
     {
         const auto sample = query(eastM, northM);
         return sample ? std::optional(sample->heightM) : std::nullopt;
     };
+}
+
+/// Cuts the ground open where railways and roads enter tunnels.
+foundation::Outcome openTunnels(const std::vector<scenery::Structure>& structures, SceneTerrain& scene)
+{
+    auto openings = scenery::railOpenings(structures);
+    if (openings.empty()) return foundation::success();
+    if (scene.roads)
+        for (auto& opening : scenery::tunnelOpenings(*scene.roads))
+            openings.push_back(std::move(opening));
+    const auto cells = osgTerrainROAM::core::OpeningCells::build(openings);
+    if (!cells) return cells.error();
+    scene.terrain->material()->setOpenings(*cells);
+    return foundation::success();
+}
+
+} // namespace
+
+foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::RoamFile& description,
+                                                  const osgTerrainROAM::core::RoamTile& tile)
+{
+    MadeStructures made;
+    for (const auto& source : description.structures)
+    {
+        const auto shapes = readShapes(source, tile);
+        if (!shapes) return shapes.error();
+        made.notes.insert(made.notes.end(), shapes->notes.begin(), shapes->notes.end());
+        add(*shapes, tile.tile, made);
+        if (made.structures.empty() && made.windsocks.empty())
+            return foundation::Error{source.string(), "has nothing that can stand here",
+                                     "give lines of walls, fences, power lines or railways of this place"};
+    }
+    if (!made.structures.empty())
+        made.node = scenery::makeStructuresNode(
+            scenery::structureFacets(made.structures, groundOf(tile.tile), made.beyondGround));
+    return made;
+}
+
+foundation::Outcome addStructures(const MadeStructures& made, SceneTerrain& scene)
+{
+    for (const std::string& note : made.notes)
+        OSG_NOTICE << note << '\n';
+    const scenery::GroundHeight ground = groundOf(scene.terrain->tile()->tile);
     std::vector<scenery::PapiUnit> papis;
     for (const SceneRunway& runway : scene.runways)
         addPapis(runway, ground, papis);
     std::vector<glm::dvec3> socks;
-    for (const glm::dvec2& place : standing->windsocks)
+    for (const glm::dvec2& place : made.windsocks)
         if (const auto height = ground(place.x, place.y)) socks.emplace_back(place, *height);
-    if (standing->structures.empty() && papis.empty() && socks.empty()) return foundation::success();
+    if (!made.node && papis.empty() && socks.empty()) return foundation::success();
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
-    std::size_t beyondGround = 0;
-    if (!standing->structures.empty())
+    if (made.node)
     {
-        if (auto openings = scenery::railOpenings(standing->structures); !openings.empty())
-        {
-            if (scene.roads)
-                for (auto& opening : scenery::tunnelOpenings(*scene.roads))
-                    openings.push_back(std::move(opening));
-            const auto cells = osgTerrainROAM::core::OpeningCells::build(openings);
-            if (!cells) return cells.error();
-            scene.terrain->material()->setOpenings(*cells);
-        }
-        scene.standing.push_back({"structures", scenery::makeStructuresNode(scenery::structureFacets(
-                                                    standing->structures, ground, beyondGround))});
-        group->addChild(scene.standing.back().node);
+        if (const auto opened = openTunnels(made.structures, scene); !opened) return opened;
+        scene.standing.push_back({"structures", made.node});
+        group->addChild(made.node);
     }
-    if (standing->unused + beyondGround > 0)
-        OSG_NOTICE << "structures: " << standing->unused << " of no known kind, " << beyondGround
+    if (made.unused + made.beyondGround > 0)
+        OSG_NOTICE << "structures: " << made.unused << " of no known kind, " << made.beyondGround
                    << " beyond the ground\n";
     scene.airfield = std::make_shared<scenery::AirfieldNode>(papis, socks);
     group->addChild(scene.airfield->node());

@@ -1,20 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include <foundation/Result.h>
+#include <glm/vec2.hpp>
+
+#include <osg/Node>
+#include <osg/ref_ptr>
 
 #include <osgTerrainROAM/core/RoamFile.h>
 
 #include "SceneTerrain.h"
+#include "scenery/structures/Structure.h"
 
 namespace trainer
 {
 
-/// Adds what a .roam file's `structures` put on the ground: walls, fences, power lines, railways, wind
-/// turbines; and what stands at the runways of the scene: approach lights (PAPI) at both ends of paved ones
-/// of kLeastPapiM or more, and windsocks where `structures` has them. Errors: those of importShapes(); a
-/// source without anything that can stand here.
-foundation::Outcome addStructures(const osgTerrainROAM::core::RoamFile& description, SceneTerrain& scene);
+/// Walls, fences, power lines, railways, wind turbines and windsocks of a world.
+struct MadeStructures
+{
+    std::vector<scenery::Structure> structures;
+    osg::ref_ptr<osg::Node> node; ///< of the structures; null: there are none
+    std::vector<glm::dvec2> windsocks;
+    std::size_t unused = 0, beyondGround = 0;
+    std::vector<std::string> notes; ///< of the sources
+};
+
+/// Makes what a .roam file's `structures` put on the ground. Errors: those of importShapes(); a source
+/// without anything that can stand here.
+/// Threads: any, as long as nobody changes the tile: nothing is written but what is returned.
+foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::RoamFile& description,
+                                                  const osgTerrainROAM::core::RoamTile& tile);
+
+/// Adds structures to a scene, and what stands at its runways: approach lights (PAPI) at both ends of paved
+/// ones of kLeastPapiM or more, and windsocks; and tells what could not be used. Errors: tunnels of railways
+/// whose openings cannot be cut.
+foundation::Outcome addStructures(const MadeStructures& made, SceneTerrain& scene);
 
 inline constexpr double kLeastPapiM = 600.0;
 

@@ -19,7 +19,6 @@
 
 #include "ModelFile.h"
 #include "SceneRoads.h"
-#include "SceneStructures.h"
 #include "scenery/ground/TileGround.h"
 
 namespace trainer
@@ -124,11 +123,6 @@ foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file
         scene->air.sun = {*description->sunAzimuthDeg, *description->sunElevationDeg};
     scene->air.visibilityM = description->visibilityM;
     scene->moonlight = description->moonlight;
-    auto runways = sceneRunways(*description, *scene->terrain->tile());
-    if (!runways) return runways.error();
-    scene->runways = *std::move(runways);
-    if (const auto added = addStructures(*description, *scene); !added) return added.error();
-    request.opening->end("structures");
     if (description->land.seaLevelM)
     {
         const auto& frame = scene->terrain->tile()->tile.frame();

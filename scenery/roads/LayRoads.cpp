@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include <foundation/Threads.h>
 #include <foundation/WholeText.h>
 
 #include <osgRoads/core/query/LaneSpan.h>
@@ -138,15 +141,18 @@ waterOf(const osgTerrainROAM::core::RoamFile& description, const osgTerrainROAM:
 
 } // namespace
 
-foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& description,
-                                        const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile)
+namespace
 {
-    if (description.roads.empty()) return SceneRoads{};
+
+/// layRoads() of a network that has been read.
+foundation::Result<SceneRoads> layRead(RoadsFile read, const osgTerrainROAM::core::RoamFile& description,
+                                       const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile)
+{
     RoadsRequest request{description.roads, std::nullopt,
                          description.roadsOnGround ? RoadHeights::ground : RoadHeights::file};
     if (const auto& origin = description.roadsOrigin)
         request.origin = RoadOrigin{origin->latitudeDeg, origin->longitudeDeg, origin->headingDeg};
-    auto roads = placeRoads(request, tile->tile);
+    auto roads = placeRoads(request, std::move(read), tile->tile);
     if (!roads || !description.edits.empty()) return roads;
     const auto water = waterOf(description, tile->tile);
     if (!water) return water.error();
@@ -155,12 +161,28 @@ foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& de
     return roads;
 }
 
+} // namespace
+
+foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& description,
+                                        const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile)
+{
+    if (description.roads.empty()) return SceneRoads{};
+    auto read = readRoads(description.roads);
+    return read ? layRead(std::move(*read), description, tile) : read.error();
+}
+
 foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description,
                                           const foundation::KeptResults* kept)
 {
+    std::optional<foundation::Result<RoadsFile>> read;
+    foundation::Threads beside;
+    if (!description.roads.empty()) beside.run([&] { read.emplace(readRoads(description.roads)); });
     const auto tile = osgTerrainROAM::core::loadRoamTile(description, kept);
+    beside.join();
     if (!tile) return tile.error();
-    auto roads = layRoads(description, *tile);
+    if (!read) return RoadTile{*tile, {}};
+    if (!*read) return read->error();
+    auto roads = layRead(std::move(**read), description, *tile);
     if (!roads) return roads.error();
     return RoadTile{*tile, std::move(*roads)};
 }

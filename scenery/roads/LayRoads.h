@@ -35,8 +35,8 @@ struct RoadTile
     SceneRoads roads; ///< `placed` null: none are named
 };
 
-/// Loads the tile that a .roam file describes, shapes it by its earthworks and lays its roads. `kept`: as
-/// RoamTile's. Errors: those of loadRoamTile() and layRoads().
+/// Loads the tile that a .roam file describes, shapes it by its earthworks and lays its roads, which are read
+/// by another thread meanwhile. `kept`: as RoamTile's. Errors: those of loadRoamTile() and layRoads().
 foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description,
                                           const foundation::KeptResults* kept = nullptr);
 

@@ -135,8 +135,13 @@ foundation::Result<RoadsFile> readRoads(const std::filesystem::path& file)
 foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, const PlacedTile& tile)
 {
     auto read = readRoads(request.file);
-    if (!read) return read.error();
-    const auto& network = read->network;
+    return read ? placeRoads(request, std::move(*read), tile) : read.error();
+}
+
+foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, RoadsFile roads,
+                                          const PlacedTile& tile)
+{
+    const auto& network = roads.network;
     const PlanExtent extent = extentOf(*network);
     auto map = mapOf(request, *network, tile, extent);
     if (!map) return map.error();
@@ -145,7 +150,7 @@ foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, const Pla
         base = std::make_shared<GroundProfiles>(
             network, BaseSurface(extent.low, extent.high, groundUnder(*map, tile)));
     const auto datum = std::make_shared<SceneDatum>(std::move(*map), std::move(base));
-    return SceneRoads{std::make_shared<osgRoads::core::PlacedNetwork>(network, datum), std::move(read->notes),
+    return SceneRoads{std::make_shared<osgRoads::core::PlacedNetwork>(network, datum), std::move(roads.notes),
                       request.file.string()};
 }
 

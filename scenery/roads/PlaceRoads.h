@@ -65,9 +65,13 @@ struct RoadsFile
 /// Reads a network for a scene. Errors: those of readNetwork().
 foundation::Result<RoadsFile> readRoads(const std::filesystem::path& file);
 
-/// Reads a network and places it on a tile. On a planar tile the file's x and y are the tile's.
-/// Errors: those of readNetwork(); on a curved tile, neither a geoReference nor an origin; a place that PROJ
-/// cannot compute; roads that lie beyond the tile's data.
+/// Places a network on a tile. On a planar tile the file's x and y are the tile's.
+/// Errors: on a curved tile, neither a geoReference nor an origin; a place that PROJ cannot compute; roads
+/// that lie beyond the tile's data.
+foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, RoadsFile roads,
+                                          const osgTerrainROAM::core::PlacedTile& tile);
+
+/// The same for the file of the request. Errors: those of readRoads(), too.
 foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request,
                                           const osgTerrainROAM::core::PlacedTile& tile);
 

@@ -21,12 +21,10 @@ struct StageShare
     std::size_t shares; ///< of `next`
 };
 
-constexpr std::array<StageShare, 9> kStages = {{{"program", "ground", 10},
+constexpr std::array<StageShare, 7> kStages = {{{"program", "ground", 30},
                                                 {"ground", "land", 25},
-                                                {"land", "roads", 15},
-                                                {"roads", "map", 35},
-                                                {"map", "structures", 15},
-                                                {"structures", "", 0},
+                                                {"land", "what stands on it", 45},
+                                                {"what stands on it", "", 0},
                                                 {"scenario", "scenery", 40},
                                                 {"scenery", "entities", 40},
                                                 {"entities", "cover", 20}}};
