@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include <osgSession/Session>
 
 #include <osgOffscreen/PngFile>
@@ -97,6 +101,37 @@ foundation::Outcome checkPicture(const PictureSettings& picture)
                              "give 1 to " + std::to_string(kMostPx) + " pixels"};
 }
 
+/// Tells a host how far an opening is.
+class OpeningTeller final : public trainer::OpeningWatch
+{
+public:
+    using Tell = std::function<void(std::string_view stage, double share)>;
+
+    explicit OpeningTeller(Tell tell) : _tell(std::move(tell)) {}
+
+    void hasEnded(std::string_view stage) override
+    {
+        for (const auto& [name, share] : kShares)
+            if (name == stage) _share = std::max(_share, share);
+        _tell(stage, _share);
+    }
+
+private:
+    /// Measured on the default world, opened again.
+    static constexpr std::array<std::pair<std::string_view, double>, 8> kShares = {
+        {{"program", 0.01},
+         {"ground", 0.3},
+         {"land", 0.5},
+         {"what stands on it", 0.85},
+         {"scenario", 0.87},
+         {"entities", 0.93},
+         {"cover", 0.98},
+         {"contexts", 1.0}}};
+
+    Tell _tell;
+    double _share = 0.0;
+};
+
 /// What is played, and on what.
 struct Staged
 {
@@ -154,6 +189,10 @@ foundation::Result<std::unique_ptr<Session>> Session::open(const SessionSettings
 {
     if (const auto usable = checkPicture(settings.picture); !usable) return usable.error();
     trainer::PlayRequest request = requestOf(settings);
+    const auto teller = std::make_shared<OpeningTeller>(settings.progress);
+    if (settings.progress)
+        request.terrain.opening->watchBy([told = std::weak_ptr<trainer::OpeningWatch>(teller)](
+                                             const std::string&) { return told.lock(); });
     const bool isRide = settings.play.scenario.empty();
     auto staged = isRide ? stageRide(settings, request) : stageScenario(settings, request);
     if (!staged) return staged.error();

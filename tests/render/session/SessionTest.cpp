@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions that a program of others opens, drives and looks at.
+#include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +52,31 @@ void stepTo(Session& session, double timeS)
 {
     while (session.play().timeS() < timeS - 1e-9)
         ASSERT_TRUE(session.play().step()) << "it ends at " << session.play().timeS() << " s";
+}
+
+TEST(SessionPictures, TellHowFarTheOpeningIs)
+{
+    SessionSettings settings = ride();
+    std::vector<std::string> stages;
+    std::vector<double> shares{0.0};
+    settings.progress = [&](std::string_view stage, double share)
+    {
+        stages.emplace_back(stage);
+        shares.push_back(share);
+    };
+    const auto session = opened(settings);
+    ASSERT_TRUE(session);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1.0);
+    for (const char* stage : {"program", "land", "what stands on it", "entities", "contexts"})
+        EXPECT_EQ(std::count(stages.begin(), stages.end(), stage), 1) << stage;
+    const std::size_t told = stages.size();
+    session->picture();
+    EXPECT_EQ(stages.size(), told) << "after it was open: " << stages.back();
+    settings.world = "none.roam";
+    stages.clear();
+    EXPECT_NE(errorOf(settings), "none");
+    EXPECT_EQ(std::count(stages.begin(), stages.end(), "contexts"), 0);
 }
 
 TEST(SessionPictures, ShowADriveFromEveryEyeInSilence)
