@@ -34,6 +34,7 @@ foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& descri
 {
     std::vector<FieldKind> kinds;
     std::vector<FieldInstance> instances;
+    instances.reserve(placed.placements.size());
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> kindOf;
     for (const Placement& placement : placed.placements)
     {

@@ -84,6 +84,7 @@ SkyHiders hidersOf(const SceneryDescription& description, const PlacedScenery& p
 {
     SkyHiders hiders;
     const std::vector<SceneryObject> objects = objectsOf(description);
+    hiders.bodies.reserve(placed.placements.size());
     for (const Placement& placement : placed.placements)
         if (const auto kind = objects[placement.object].kind)
             addHider(hiders, placement, *kind, measures[placement.object]);

@@ -118,6 +118,7 @@ std::vector<core::FieldModel> modelsOf(const std::vector<FieldKind>& kinds,
 std::vector<core::FieldObject> objectsOf(const std::vector<FieldInstance>& instances)
 {
     std::vector<core::FieldObject> objects;
+    objects.reserve(instances.size());
     for (const FieldInstance& instance : instances)
     {
         const osg::Vec3d& p = instance.position;

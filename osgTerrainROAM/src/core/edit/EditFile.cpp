@@ -64,9 +64,14 @@ bool takeChunk(ValueTaker& taker, ChunkState& chunk)
     return true;
 }
 
-bool take(ValueTaker& taker, Content& content)
+/// `bytes`: how many there are; they bound what is reserved.
+bool take(ValueTaker& taker, std::size_t bytes, Content& content)
 {
+    constexpr std::size_t kPointBytes = sizeof(GridPoint) + 1 + 2 * sizeof(SampleTable::Sample),
+                          kChunkBytes = sizeof(GridPoint) + ChunkState::kPoints / 8;
     if (!taker.take(content.header)) return false;
+    content.points.reserve(std::min<std::uint64_t>(content.header.points, bytes / kPointBytes));
+    content.chunks.reserve(std::min<std::uint64_t>(content.header.chunks, bytes / kChunkBytes));
     for (std::uint64_t i = 0; i < content.header.points; ++i)
         if (!takePoint(taker, content.points.emplace_back())) return false;
     for (std::uint64_t i = 0; i < content.header.chunks; ++i)
@@ -176,7 +181,7 @@ foundation::Outcome readEdits(RoamTile& tile, std::uint64_t source, const std::f
     if (markOf(bytes) != sum) return refuse("is cut off or damaged");
     ValueTaker taker(bytes.substr(kName.size()));
     Content content;
-    if (!take(taker, content)) return refuse("is cut off or damaged");
+    if (!take(taker, bytes.size(), content)) return refuse("is cut off or damaged");
     if (content.header.tile != markOfTile(tile))
         return refuse("belongs to other elevation data, or to another spacing");
     if (content.header.source != source) return refuse("was made for other roads");
