@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -10,7 +9,8 @@
 #include <foundation/Units.h>
 #include <foundation/Utf8.h>
 
-#include "simulation/parser/Expression.h"
+#include "simulation/track/CellNumber.h"
+#include "simulation/track/CoordinateText.h"
 #include "simulation/track/ReadTrack.h"
 #include "simulation/track/TableColumns.h"
 #include "simulation/track/TableObjects.h"
@@ -24,80 +24,6 @@ namespace
 {
 
 constexpr double kMilliseconds = 1e11; ///< since 1970: more seconds than 3000 years have
-
-/// A number and the letters around it.
-struct CellNumber
-{
-    double value = 0.0;
-    std::string before, behind; ///< in capitals
-};
-
-/// Whether a text is groups of three digits between marks, as 1,640.
-bool isGrouped(std::string_view text, char mark)
-{
-    const std::size_t first = text.find(mark);
-    if (first == std::string_view::npos || first == 0 || first > 3) return false;
-    for (std::size_t at = first; at < text.size(); at += 4)
-        if (text[at] != mark || at + 4 > text.size() ||
-            !std::all_of(text.begin() + static_cast<long>(at) + 1, text.begin() + static_cast<long>(at) + 4,
-                         [](unsigned char c) { return std::isdigit(c); }))
-            return false;
-    return true;
-}
-
-/// Reads 9.5, 9,5, 1,640.42, 1.640,42, 48.5N, 500 ft. `isDecimalComma`: in the other cells. Nothing: there is
-/// no number, or something else with it.
-std::optional<CellNumber> cellNumber(std::string_view cell, bool isDecimalComma)
-{
-    const auto isPart = [](unsigned char c)
-    { return std::isdigit(c) || c == '+' || c == '-' || c == '.' || c == ','; };
-    cell = trimmed(cell);
-    const auto begin = std::find_if(cell.begin(), cell.end(), isPart);
-    auto end = begin;
-    while (end != cell.end() && (isPart(static_cast<unsigned char>(*end)) ||
-                                 ((*end == 'e' || *end == 'E') && std::next(end) != cell.end() &&
-                                  isPart(static_cast<unsigned char>(*std::next(end))))))
-        ++end;
-    CellNumber number;
-    const auto capitals = [](std::string_view text)
-    {
-        std::string result;
-        for (const char c : trimmed(text))
-            result += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        return result;
-    };
-    number.before = capitals({cell.begin(), begin});
-    number.behind = capitals({end, cell.end()});
-    std::string text(begin, end);
-    const std::size_t comma = text.rfind(','), point = text.rfind('.');
-    const bool hasBoth = comma != std::string::npos && point != std::string::npos;
-    char decimal = hasBoth ? (comma > point ? ',' : '.') : comma != std::string::npos ? ',' : '.';
-    const std::size_t sign = text.find_first_of("+-") == 0 ? 1 : 0;
-    if (!hasBoth && isGrouped(std::string_view(text).substr(sign), decimal) &&
-        isDecimalComma != (decimal == ','))
-        decimal = decimal == ',' ? '.' : ','; // its only marks part groups
-    std::erase(text, decimal == ',' ? '.' : ',');
-    std::replace(text.begin(), text.end(), ',', '.');
-    const auto value = parseNumber(text);
-    if (!value) return std::nullopt;
-    number.value = *value;
-    return number;
-}
-
-/// Reads a coordinate, with a letter of its hemisphere or a sign of degrees or without. `positive`,
-/// `negative`: the letters.
-std::optional<double> coordinate(std::string_view cell, bool isDecimalComma, char positive, char negative)
-{
-    const auto number = cellNumber(cell, isDecimalComma);
-    if (!number) return std::nullopt;
-    std::string around = number->before + number->behind;
-    for (const char* sign : {"\xC2\xB0", "DEG", " "})
-        if (const std::size_t at = around.find(sign); at != std::string::npos)
-            around.erase(at, std::string_view(sign).size());
-    if (around.empty()) return number->value;
-    if (around.size() != 1 || (around[0] != positive && around[0] != negative)) return std::nullopt;
-    return around[0] == negative ? -number->value : number->value;
-}
 
 /// Reads a height in metres. `unitM`: of a cell that names none.
 std::optional<double> heightIn(std::string_view cell, bool isDecimalComma, double unitM)
@@ -143,20 +69,26 @@ public:
         for (const std::string_view text : {north, east})
             if (text.find(',') != std::string_view::npos && text.find('.') == std::string_view::npos)
                 _isDecimalComma = true;
-        const auto latitude = coordinate(north, _isDecimalComma, 'N', 'S'),
-                   longitude = coordinate(east, _isDecimalComma, 'E', 'W');
+        const CoordinateReading latitude =
+                                    readCoordinate(north, false, {_isDecimalComma, _columns.latitudeUnitDeg}),
+                                longitude = readCoordinate(
+                                    east, true,
+                                    {_isDecimalComma, _columns.longitudeUnitDeg, _columns.sideOfO});
         const auto time =
             _columns.time >= 0 ? timeOf(cell(_columns.time), cell(_columns.date)) : std::optional(0.0);
         const auto height = heightIn(cell(_columns.height), _isDecimalComma, _columns.heightUnitM);
-        if (!latitude || !longitude)
-            _builder.problem(line, "latitude or longitude is no number");
+        if (!latitude.degrees || !longitude.degrees)
+        {
+            const std::string& fault = latitude.degrees ? longitude.fault : latitude.fault;
+            _builder.problem(line, fault.empty() ? "latitude or longitude is no number" : fault);
+        }
         else if (!time)
             _builder.problem(line, "the time is neither seconds nor a date and time");
         else if (!height && !cell(_columns.height).empty())
             _builder.problem(line, "the height is no number");
         else
         {
-            _fixes.push_back({*time, *latitude, *longitude, height, line});
+            _fixes.push_back({*time, *latitude.degrees, *longitude.degrees, height, line});
             _ids.emplace_back();
             for (const int column : _columns.ids)
                 _ids.back().emplace_back(trimmed(cell(column)));
@@ -242,9 +174,9 @@ private:
         if (const auto seconds = secondsOfDay(cell))
         {
             _areTimesOfDay = true;
-            return unixSecondsOfDate(date).value_or(0.0) + *seconds;
+            return unixSecondsOfDate(date, _columns.isDayFirst).value_or(0.0) + *seconds;
         }
-        return unixSeconds(cell);
+        return unixSeconds(cell, _columns.isDayFirst);
     }
 
     const std::string& _name;

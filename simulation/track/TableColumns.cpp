@@ -6,8 +6,11 @@
 #include <initializer_list>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <foundation/Units.h>
+
+#include "simulation/track/HeadingWords.h"
 
 namespace simulation
 {
@@ -15,23 +18,6 @@ namespace
 {
 
 using Words = std::vector<std::string>;
-
-/// The words of a column's name, in small letters: letters in a row; a capital behind a small one begins
-/// another.
-Words tableWords(std::string_view name)
-{
-    Words words(1);
-    bool wasSmall = false;
-    for (const char c : name)
-    {
-        const auto letter = static_cast<unsigned char>(c);
-        const bool isLetter = std::isalpha(letter) != 0;
-        if ((!isLetter || (wasSmall && std::isupper(letter))) && !words.back().empty()) words.emplace_back();
-        if (isLetter) words.back() += static_cast<char>(std::tolower(letter));
-        wasSmall = isLetter && std::islower(letter);
-    }
-    return words;
-}
 
 bool hasWord(const Words& words, std::initializer_list<std::string_view> wanted)
 {
@@ -106,36 +92,86 @@ double timeUnit(const Words& words)
     return 1.0;
 }
 
+double heightUnit(const Words& words)
+{
+    if (hasWord(words, {"ft", "feet", "foot"})) return foundation::kMetresPerFoot;
+    if (hasWord(words, {"mm", "millimeters", "millimetres"})) return 1e-3;
+    return hasWord(words, {"cm", "centimeters", "centimetres"}) ? 1e-2 : 1.0;
+}
+
+/// Of whole numbers below headings such as latitudeE7 and lon_e6.
+double unitOfDegrees(std::string_view heading)
+{
+    while (!heading.empty() && std::isalnum(static_cast<unsigned char>(heading.back())) == 0)
+        heading.remove_suffix(1);
+    for (const auto& [ending, unit] : {std::pair{"7", 1e-7}, std::pair{"6", 1e-6}})
+        if (heading.size() > 2 && heading.ends_with(ending) &&
+            (heading[heading.size() - 2] == 'e' || heading[heading.size() - 2] == 'E'))
+            return unit;
+    return 1.0;
+}
+
+SideOfO sideOfO(const Words& words)
+{
+    if (hasWord(words, {"lange", "laenge", "langengrad", "laengengrad", "geolange", "geolaenge", "lengte",
+                        "lengtegraad"}))
+        return SideOfO::east;
+    return hasWord(words, {"longitud", "longitudine"}) ? SideOfO::west : SideOfO::unknown;
+}
+
 } // namespace
 
 TableColumns columnsOf(const std::vector<std::string>& cells)
 {
-    std::vector<Words> names;
+    std::vector<Words> names, english;
     for (const std::string& cell : cells)
-        names.push_back(tableWords(cell));
+    {
+        names.push_back(headingWords(cell));
+        english.push_back(inEnglish(names.back()));
+    }
     TableColumns columns;
-    columns.time =
-        columnOf(names, {"time", "timestamp", "t", "datetime", "utc", "ms", "millis", "milliseconds"});
-    columns.latitude = columnOf(names, {"latitude", "lat"});
-    columns.longitude = columnOf(names, {"longitude", "lon", "lng", "long"});
+    // English words go first: those of other languages mean other things in English (data, temps).
+    const auto find = [&](std::initializer_list<std::string_view> wanted)
+    {
+        const int column = columnOf(names, wanted);
+        return column >= 0 ? column : columnOf(english, wanted);
+    };
+    columns.time = find({"time", "timestamp", "t", "datetime", "utc", "ms", "millis", "milliseconds"});
+    columns.latitude = find({"latitude", "lat"});
+    columns.longitude = find({"longitude", "lon", "lng", "long"});
+    if (columns.latitude >= 0)
+        columns.latitudeUnitDeg = unitOfDegrees(cells[static_cast<std::size_t>(columns.latitude)]);
+    if (columns.longitude >= 0)
+    {
+        const auto at = static_cast<std::size_t>(columns.longitude);
+        columns.longitudeUnitDeg = unitOfDegrees(cells[at]);
+        columns.sideOfO = sideOfO(names[at]);
+    }
     if (columns.latitude < 0 || columns.longitude < 0) columns.position = columnOf(names, {"position"});
     columns.isOfAircraft = columnOf(names, {"callsign", "icao", "squawk", "aircraft", "flight", "tail"}) >= 0;
     columns.ids = idColumns(cells);
     int rank = -1;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-        if (names[i].front() == "date" && static_cast<int>(i) != columns.time)
-            columns.date = static_cast<int>(i);
-        const auto kind = heightKind(names[i]);
+        const bool isDate = names[i].front() == "date" || (english[i].front() == "date" && columns.date < 0);
+        if (isDate && static_cast<int>(i) != columns.time) columns.date = static_cast<int>(i);
+        const auto kind = heightKind(english[i]);
         if (!kind || kind->rank <= rank) continue;
         rank = kind->rank;
         columns.height = static_cast<int>(i);
         columns.datum = kind->datum;
     }
-    if (columns.time >= 0) columns.timeUnitS = timeUnit(names[static_cast<std::size_t>(columns.time)]);
-    const bool isInFeet = columns.height >= 0 &&
-                          hasWord(names[static_cast<std::size_t>(columns.height)], {"ft", "feet", "foot"});
-    if (isInFeet || columns.position >= 0) columns.heightUnitM = foundation::kMetresPerFoot;
+    for (const int column : {columns.time, columns.date})
+    {
+        if (column < 0) continue;
+        const auto at = static_cast<std::size_t>(column);
+        // Datum and data are English, too, and say other things there.
+        if (names[at] != english[at] && !hasWord(names[at], {"datum", "data"})) columns.isDayFirst = true;
+    }
+    if (columns.time >= 0) columns.timeUnitS = timeUnit(english[static_cast<std::size_t>(columns.time)]);
+    if (columns.height >= 0)
+        columns.heightUnitM = heightUnit(english[static_cast<std::size_t>(columns.height)]);
+    if (columns.heightUnitM == 1.0 && columns.position >= 0) columns.heightUnitM = foundation::kMetresPerFoot;
     if (columns.position >= 0 && rank == 3) columns.datum = HeightDatum::pressure; // of Flightradar24
     return columns;
 }

@@ -37,8 +37,9 @@ bool isNumber(std::string_view text)
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// A date as year-month-day; empty: it is none. Of 03/04/2026 the first is the month, of 13/04/2026 the day.
-std::string isoDate(std::string_view text)
+/// A date as year-month-day; empty: it is none. Of 13/04/2026 the first is the day, of 03/04/2026 the month,
+/// unless `isDayFirst`.
+std::string isoDate(std::string_view text, bool isDayFirst)
 {
     const std::vector<std::string_view> parts = partsOf(text, "-/.");
     if (parts.size() != 3 || !std::all_of(parts.begin(), parts.end(), isNumber)) return {};
@@ -46,7 +47,7 @@ std::string isoDate(std::string_view text)
     if (parts[0].size() != 4)
     {
         year = parts[2];
-        const bool isMonthFirst = text.find('/') != std::string_view::npos && parts[0] <= "12";
+        const bool isMonthFirst = !isDayFirst && text.find('/') != std::string_view::npos && parts[0] <= "12";
         month = parts[isMonthFirst ? 0 : 1];
         day = parts[isMonthFirst ? 1 : 0];
     }
@@ -80,17 +81,17 @@ void tidyZone(std::string& text)
 
 } // namespace
 
-std::optional<double> unixSecondsOfDate(std::string_view text)
+std::optional<double> unixSecondsOfDate(std::string_view text, bool isDayFirst)
 {
-    const std::string date = isoDate(trimmed(text));
+    const std::string date = isoDate(trimmed(text), isDayFirst);
     return date.empty() ? std::nullopt : parsed(date + "T00:00:00Z");
 }
 
-std::optional<double> unixSeconds(std::string_view written)
+std::optional<double> unixSeconds(std::string_view written, bool isDayFirst)
 {
     written = trimmed(written);
     const std::size_t end = std::min(written.find_first_of("Tt "), written.size());
-    const std::string date = isoDate(written.substr(0, end));
+    const std::string date = isoDate(written.substr(0, end), isDayFirst);
     if (date.empty() || end == written.size()) return std::nullopt;
     std::string text = date + "T" + std::string(trimmed(written.substr(end + 1)));
     std::replace(text.begin(), text.end(), ',', '.');
