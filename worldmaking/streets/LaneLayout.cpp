@@ -28,7 +28,8 @@ constexpr double kTaperM = 30.0; ///< over which lanes change their width
 /// One side of a street.
 struct Side
 {
-    int lanes, busLanes, sharedLanes;
+    int lanes, sharedLanes;
+    LaneSet busLanes;
     bool hasSidewalk;
     double speedKmh;
     CycleWay cycles;
@@ -46,13 +47,14 @@ std::vector<Strip> sideOf(const StreetTraits& traits, const Side& side)
         strips.push_back(
             {LaneType::driving, i, traits.laneWidthM, isEdge ? edge : between, true, false, 0.0});
     }
+    const auto isForBuses = [&](int lane)
+    { return (side.busLanes >> static_cast<unsigned>(lane) & 1U) != 0; };
     for (int i = 0; i < side.lanes; ++i)
     {
         const bool isLast = i + 1 == side.lanes;
-        const bool isBeforeBuses = i + 1 == side.lanes - side.busLanes;
-        const MarkType inner = isBeforeBuses ? MarkType::solid : MarkType::broken;
+        const MarkType inner = isForBuses(i) == isForBuses(i + 1) ? MarkType::broken : MarkType::solid;
         strips.push_back({LaneType::driving, i, traits.laneWidthM, isLast ? edge : inner, false,
-                          i >= side.lanes - side.busLanes, side.speedKmh});
+                          isForBuses(i), side.speedKmh});
     }
     if (side.cycles == CycleWay::lane)
     {
@@ -237,9 +239,9 @@ LaneLayout layoutOf(const StreetTraits& traits)
 {
     LaneLayout layout;
     const auto [forwardKmh, backwardKmh] = traits.laneKmh();
-    layout.left = sideOf(traits, {traits.backwardLanes, traits.backwardBusLanes, 0, traits.hasLeftSidewalk,
+    layout.left = sideOf(traits, {traits.backwardLanes, 0, traits.backwardBusLanes, traits.hasLeftSidewalk,
                                   backwardKmh, traits.leftCycles});
-    layout.right = sideOf(traits, {traits.forwardLanes, traits.forwardBusLanes, traits.sharedLanes,
+    layout.right = sideOf(traits, {traits.forwardLanes, traits.sharedLanes, traits.forwardBusLanes,
                                    traits.hasRightSidewalk, forwardKmh, traits.rightCycles});
     layout.centreMark = traits.hasCentreMark ? MarkType::broken : MarkType::none;
     if (traits.hasCentreMark && traits.forwardLanes + traits.backwardLanes > 3)

@@ -2,10 +2,10 @@
 #include "worldmaking/streets/LaneTags.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <initializer_list>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,24 +56,26 @@ public:
         return std::nullopt;
     }
 
-    /// Lanes for buses of a direction: by number, or by the entries of lists that are theirs in any of them.
-    int buses(const std::string& side) const
+    /// Lanes for buses of a direction of so many lanes: the outermost by number, or those of the entries of
+    /// lists that are theirs in any of them.
+    LaneSet buses(const std::string& side, int lanes) const
     {
         for (const char* key : {"lanes:psv", "lanes:bus"})
-            if (const auto told = count(key + side)) return *told;
-        std::set<std::size_t> theirs;
+            if (const auto told = count(key + side)) return outermostLanes(*told, lanes);
+        LaneSet theirs = 0;
         std::size_t most = 0;
         for (const char* key : {"bus:lanes", "psv:lanes"})
         {
             const auto entries = listOf(key + side);
             most = std::max(most, entries.size());
-            for (std::size_t i = 0; i < entries.size(); ++i)
-                if (entries[i] == "designated" || entries[i] == "official") theirs.insert(i);
+            for (std::size_t i = 0; i < std::min<std::size_t>(entries.size(), 2 * kMostLanes); ++i)
+                if (entries[i] == "designated" || entries[i] == "official") theirs |= LaneSet{1} << i;
         }
+        if (most == static_cast<std::size_t>(std::max(lanes, 0))) return theirs; // from the middle outwards
         // Lists count lanes for bicycles, too, which `lanes` does not.
         const auto all = LaneTagReader(_tags, nullptr).count("lanes" + side); // told elsewhere
         const int beyond = all ? std::max(0, static_cast<int>(most) - *all) : 0;
-        return std::max(0, static_cast<int>(theirs.size()) - beyond);
+        return outermostLanes(std::popcount(theirs) - beyond, lanes);
     }
 
     /// Whether a lane for buses runs on a side (`busway`): "right" or "left".
@@ -119,15 +121,16 @@ bool hasBusesAgainst(const LaneTagReader& reader, const std::string& back)
         if (reader.is(key, {"no", "-1"})) return true;
     for (const char* key : {"busway", "busway:left", "busway:right", "busway:both"})
         if (reader.is(key, {"opposite_lane", "opposite", "opposite_track"})) return true;
-    return reader.buses(back) > 0 || reader.has("bus:lanes" + back) || reader.has("psv:lanes" + back);
+    return reader.buses(back, kMostLanes) != 0 || reader.has("bus:lanes" + back) ||
+           reader.has("psv:lanes" + back);
 }
 
 /// Takes lanes of `busway`, where no other tag tells lanes for buses: a direction keeps a lane for cars.
-void addBusway(bool hasOne, int& lanes, int& buses)
+void addBusway(bool hasOne, int& lanes, LaneSet& buses)
 {
-    if (!hasOne || buses > 0 || lanes == 0) return;
-    buses = 1;
+    if (!hasOne || buses != 0 || lanes == 0) return;
     lanes = std::max(lanes, 2);
+    buses = outermostLanes(1, lanes);
 }
 
 LaneCounts onewayLanes(const LaneTagReader& reader, bool isAlong, int usual)
@@ -140,9 +143,11 @@ LaneCounts onewayLanes(const LaneTagReader& reader, bool isAlong, int usual)
     else if (against)
         reader.told("lanes" + back); // that of a one-way street
     LaneCounts lanes;
-    lanes.forward = with.value_or(all ? std::max(1, *all - lanesBack) : usual);
-    lanes.backward = lanes.backwardBus = lanesBack;
-    lanes.forwardBus = std::max(reader.buses(ahead), reader.buses(""));
+    lanes.forward = std::min(with.value_or(all ? std::max(1, *all - lanesBack) : usual), kMostLanes);
+    lanes.backward = std::min(lanesBack, kMostLanes);
+    lanes.backwardBus = outermostLanes(lanes.backward, lanes.backward);
+    const LaneSet ofSide = reader.buses(ahead, lanes.forward), ofStreet = reader.buses("", lanes.forward);
+    lanes.forwardBus = std::popcount(ofSide) >= std::popcount(ofStreet) ? ofSide : ofStreet;
     addBusway(reader.hasBusway("right") || reader.hasBusway("left"), lanes.forward, lanes.forwardBus);
     if (!isAlong) std::swap(lanes.forward, lanes.backward), std::swap(lanes.forwardBus, lanes.backwardBus);
     return lanes;
@@ -167,13 +172,17 @@ LaneCounts twoWayLanes(const LaneTagReader& reader, int usual, bool isNarrow)
         lanes.backward = *backward, lanes.forward = all ? std::max(1, rest - *backward) : usual;
     else
         lanes.forward = all ? (rest + 1) / 2 : usual, lanes.backward = all ? rest / 2 : usual;
-    lanes.forwardBus = reader.buses(":forward");
-    lanes.backwardBus = reader.buses(":backward");
-    if (lanes.forwardBus + lanes.backwardBus == 0) // of both directions together
+    for (int* count : {&lanes.forward, &lanes.backward})
+        *count = std::min(*count, kMostLanes);
+    lanes.forwardBus = reader.buses(":forward", lanes.forward);
+    lanes.backwardBus = reader.buses(":backward", lanes.backward);
+    if ((lanes.forwardBus | lanes.backwardBus) == 0) // of both directions together
     {
-        const int buses = reader.buses("");
-        lanes.forwardBus = std::min((buses + 1) / 2, std::max(0, lanes.forward - 1));
-        lanes.backwardBus = std::min(buses / 2, std::max(0, lanes.backward - 1));
+        const int buses = std::popcount(reader.buses("", 2 * kMostLanes));
+        lanes.forwardBus =
+            outermostLanes(std::min((buses + 1) / 2, std::max(0, lanes.forward - 1)), lanes.forward);
+        lanes.backwardBus =
+            outermostLanes(std::min(buses / 2, std::max(0, lanes.backward - 1)), lanes.backward);
     }
     addBusway(reader.hasBusway("right"), lanes.forward, lanes.forwardBus);
     addBusway(reader.hasBusway("left"), lanes.backward, lanes.backwardBus);
@@ -209,10 +218,6 @@ LaneCounts lanesOfTags(const Tags& tags, StreetDirection direction, int usual, b
         lanes = twoWayLanes(reader, usual, isNarrow);
     else
         lanes = onewayLanes(reader, direction == StreetDirection::along, usual);
-    for (int* count : {&lanes.forward, &lanes.backward})
-        *count = std::min(*count, kMostLanes);
-    lanes.forwardBus = std::min(lanes.forwardBus, lanes.forward);
-    lanes.backwardBus = std::min(lanes.backwardBus, lanes.backward);
     return lanes;
 }
 

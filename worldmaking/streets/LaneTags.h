@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -21,12 +22,22 @@ enum class StreetDirection
     changing, ///< one way at a time
 };
 
-/// The lanes of a street, seen along its way. Those for buses are among the others, outermost.
+/// Some of the lanes of a direction: bit 0 is the innermost.
+using LaneSet = std::uint32_t;
+
+/// The outermost `count` of `lanes`.
+constexpr LaneSet outermostLanes(int count, int lanes)
+{
+    const int some = std::clamp(count, 0, lanes);
+    return ((LaneSet{1} << static_cast<unsigned>(some)) - 1) << static_cast<unsigned>(lanes - some);
+}
+
+/// The lanes of a street, seen along its way. Those for buses are among the others.
 struct LaneCounts
 {
     int forward = 1, backward = 1;
     int shared = 0; ///< in the middle, for both directions: a single track, a lane for turns to the left
-    int forwardBus = 0, backwardBus = 0;
+    LaneSet forwardBus = 0, backwardBus = 0;
 };
 
 inline constexpr int kMostLanes = 6; ///< in each direction

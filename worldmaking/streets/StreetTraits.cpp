@@ -30,7 +30,7 @@ struct StreetClass
     bool hasCentreMark, hasEdgeMarks;
 };
 
-constexpr std::array<StreetClass, 10> kClasses = {{
+constexpr std::array<StreetClass, 11> kClasses = {{
     {"motorway", "motorway", 8, 2, 3.75, 2.5, 120.0, 0.07, true, true},
     {"trunk", "rural", 7, 1, 3.5, 0.5, 90.0, 0.08, true, true},
     {"primary", "rural", 6, 1, 3.5, 0.5, 80.0, 0.10, true, true},
@@ -40,6 +40,7 @@ constexpr std::array<StreetClass, 10> kClasses = {{
     {"residential", "town", 2, 1, 2.75, 0.0, 40.0, 0.15, false, false},
     {"road", "rural", 2, 1, 2.75, 0.0, 40.0, 0.15, false, false},
     {"living_street", "lowSpeed", 1, 1, 2.5, 0.0, 20.0, 0.15, false, false},
+    {"busway", "town", 1, 1, 3.5, 0.0, 50.0, 0.12, false, false},
     {"service", "lowSpeed", 0, 1, 2.5, 0.0, 20.0, 0.15, false, false},
 }};
 
@@ -75,9 +76,17 @@ bool isNoStreet(const Tags& tags)
                        [&](std::string_view key) { return valueOf(tags, key) == "yes"; });
 }
 
+/// A street for buses alone: there is none for cars to miss.
+bool isBusway(const Tags& tags)
+{
+    return valueOf(tags, "highway") == "busway";
+}
+
+/// Whether what it is for may not use it.
 bool isClosedToCars(const Tags& tags)
 {
     if (valueOf(tags, "smoothness") == "impassable") return true;
+    if (isBusway(tags)) return valueOf(tags, "bus") == "no" || valueOf(tags, "psv") == "no";
     // The most special key that says anything decides.
     for (const std::string_view key : {"motorcar", "motor_vehicle", "vehicle", "access"})
         if (const std::string_view value = valueOf(tags, key); !value.empty()) return value == "no";
@@ -136,6 +145,11 @@ void setLanes(const Tags& tags, std::string_view kind, int usual, StreetTraits& 
     traits.sharedLanes = lanes.shared;
     traits.forwardBusLanes = lanes.forwardBus;
     traits.backwardBusLanes = lanes.backwardBus;
+    if (isBusway(tags))
+    {
+        traits.forwardBusLanes = outermostLanes(lanes.forward, lanes.forward);
+        traits.backwardBusLanes = outermostLanes(lanes.backward, lanes.backward);
+    }
     std::tie(traits.rightCycles, traits.leftCycles) = cycleWaysOf(tags, direction);
     traits.forwardArrows = turnArrowsOf(tags, direction, true, lanes.forward);
     traits.backwardArrows = turnArrowsOf(tags, direction, false, lanes.backward);

@@ -25,7 +25,7 @@ struct StreetTraits
     int backwardLanes = 1; ///< against it; 0: one way
     /// between them, for both directions: a single track, a lane for turns to the left
     int sharedLanes = 0;
-    int forwardBusLanes = 0, backwardBusLanes = 0; ///< of the lanes, outermost: for buses alone
+    LaneSet forwardBusLanes = 0, backwardBusLanes = 0; ///< of the lanes: for buses alone
     double laneWidthM = 2.75;
     double shoulderM = 0.0;
     bool hasLeftSidewalk = false, hasRightSidewalk = false;
@@ -58,8 +58,8 @@ struct StreetTraits
 inline constexpr double kCycleLaneM = 1.5; ///< of the paving
 
 /// Returns the traits of a way; nothing for one that cars cannot or must not use (footpaths, tracks, closed
-/// and planned roads). Numbers that a tag lacks or has wrong are those of its class. `approximated`: counts
-/// tags that are taken for something else; may be null.
+/// and planned roads); the lanes of a busway are for buses. Numbers that a tag lacks or has wrong are those
+/// of its class. `approximated`: counts tags that are taken for something else; may be null.
 /// Sources: the OpenStreetMap wiki, *Key:highway*, *Key:lanes*, *Key:oneway*, *Key:maxspeed*; lane widths and
 /// grades after RAL 2012 (Germany) and TxDOT, *Roadway Design Manual*, 2022, 2-3 (local roads in rolling and
 /// mountainous country).

@@ -3,6 +3,7 @@
 // classes.
 #include "worldmaking/streets/StreetTraits.h"
 
+#include <bit>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -65,8 +66,8 @@ void expectLanes(const std::vector<LaneCase>& cases)
         EXPECT_EQ(traits->forwardLanes, entry.forward) << name;
         EXPECT_EQ(traits->backwardLanes, entry.backward) << name;
         EXPECT_EQ(traits->sharedLanes, entry.shared) << name;
-        EXPECT_EQ(traits->forwardBusLanes, entry.forwardBus) << name;
-        EXPECT_EQ(traits->backwardBusLanes, entry.backwardBus) << name;
+        EXPECT_EQ(std::popcount(traits->forwardBusLanes), entry.forwardBus) << name;
+        EXPECT_EQ(std::popcount(traits->backwardBusLanes), entry.backwardBus) << name;
     }
 }
 
@@ -135,6 +136,43 @@ TEST(StreetTraits, BusesMayGoAgainstAOneWayStreet)
         {{{"highway", "secondary"}, {"oneway", "yes"}, {"oneway:motor_vehicle", "no"}}, 1, 1, 0, 0, 0},
         {{{"highway", "residential"}, {"oneway", "no"}, {"oneway:vehicle", "yes"}}, 1, 0, 0, 0, 0},
     });
+}
+
+TEST(StreetTraits, LanesForBusesLieWhereTheListHasThem)
+{
+    const auto forward = [](const std::string& list, const char* key = "bus:lanes")
+    {
+        return traitsOf({{"highway", "primary"}, {"oneway", "yes"}, {"lanes", "3"}, {key, list}})
+            ->forwardBusLanes;
+    };
+    EXPECT_EQ(forward("yes|yes|designated"), 0b100U);
+    EXPECT_EQ(forward("yes|designated|yes"), 0b010U);
+    EXPECT_EQ(forward("designated||"), 0b001U);
+    EXPECT_EQ(forward("designated|yes|official", "psv:lanes"), 0b101U);
+    // A fourth entry is a lane for bicycles: which of the others is meant is not known.
+    EXPECT_EQ(forward("yes|yes|designated|designated"), 0b100U);
+    const auto both = traitsOf({{"highway", "primary"},
+                                {"lanes", "5"},
+                                {"lanes:forward", "3"},
+                                {"bus:lanes:forward", "yes|designated|yes"},
+                                {"bus:lanes:backward", "designated|yes"}});
+    EXPECT_EQ(both->forwardBusLanes, 0b010U);
+    EXPECT_EQ(both->backwardBusLanes, 0b001U);
+    EXPECT_EQ(both->reversed().forwardBusLanes, 0b001U);
+    EXPECT_FALSE(both->hasSameLanes(*traitsOf({{"highway", "primary"},
+                                               {"lanes", "5"},
+                                               {"lanes:forward", "3"},
+                                               {"bus:lanes:forward", "yes|yes|designated"},
+                                               {"bus:lanes:backward", "designated|yes"}})));
+}
+
+TEST(StreetTraits, ABuswayHasLanesForBusesAlone)
+{
+    expectLanes({{{{"highway", "busway"}}, 1, 1, 0, 1, 1},
+                 {{{"highway", "busway"}, {"oneway", "yes"}, {"lanes", "2"}}, 2, 0, 0, 2, 0},
+                 {{{"highway", "busway"}, {"access", "no"}, {"bus", "designated"}}, 1, 1, 0, 1, 1}});
+    EXPECT_FALSE(traitsOf({{"highway", "busway"}, {"bus", "no"}}));
+    EXPECT_EQ(traitsOf({{"highway", "residential"}})->forwardBusLanes, 0U) << "the control";
 }
 
 TEST(StreetTraits, LanesOfADirectionAndOfTheMiddleAreRead)
@@ -282,7 +320,8 @@ TEST(StreetTraits, WhatCarsCannotUseIsNone)
     EXPECT_FALSE(traitsOf({{"highway", "residential"}, {"motor_vehicle", "no"}}));
     EXPECT_TRUE(traitsOf({{"highway", "service"}, {"access", "no"}, {"motorcar", "yes"}}));
     EXPECT_FALSE(traitsOf({{"highway", "pedestrian"}}));
-    for (const char* kind : {"construction", "abandoned", "disused", "razed", "planned", "no", "busway"})
+    for (const char* kind :
+         {"construction", "abandoned", "disused", "razed", "planned", "no", "bus_guideway"})
         EXPECT_FALSE(traitsOf({{"highway", kind}})) << kind;
     for (const char* key : {"proposed", "abandoned", "disused", "demolished"})
         EXPECT_FALSE(traitsOf({{"highway", "primary"}, {key, "yes"}})) << key;
