@@ -147,7 +147,7 @@ PrivateAction parseControllerAction(ElementReader reader)
 Unsupported unsupportedContent(ElementReader& reader, const char* kind)
 {
     if (reader.node)
-        reader.context.foreign(reader.node, std::string("the ") + kind + " " + reader.node.name());
+        reader.context.foreignChoice(reader.node, std::string("the ") + kind + " " + reader.node.name());
     return {reader.context.line(reader.node), reader.node.name()};
 }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <foundation/NearestWord.h>
+
 #include "simulation/parser/Coverage.h"
 #include "simulation/parser/ElementReader.h"
 #include "simulation/parser/Expression.h"
@@ -75,6 +77,15 @@ void ParseContext::foreign(pugi::xml_node node, const std::string& what)
     add({Problem::Kind::unknown,
          {place(node), what + " is no element of OpenSCENARIO",
           "it is passed over" + (like ? "; did you mean " + std::string(*like) + "?" : std::string())}});
+}
+
+void ParseContext::foreignChoice(pugi::xml_node node, const std::string& what)
+{
+    constexpr std::size_t kSlip = 2;
+    const auto like = coverageOf(node.name()) ? std::nullopt : likeElement(node.name());
+    if (!like || foundation::wordDistance(node.name(), *like) > kSlip) return foreign(node, what);
+    if (_reported.insert(node.internal_object()).second)
+        invalid(node, what + " is no element of OpenSCENARIO", "did you mean " + std::string(*like) + "?");
 }
 
 void ParseContext::unsupported(pugi::xml_node node, const std::string& what, const std::string& instead)

@@ -33,6 +33,9 @@ public:
     /// Reports an element that is not in effect, or that the standard has not, by its row of the table of
     /// elements. Each element is reported once.
     void foreign(pugi::xml_node node, const std::string& what);
+    /// The same of an element where the standard demands one of a choice. A slip of the pen there (two
+    /// letters at most) is a mistake: what its author meant would not be done. Others are of other programs.
+    void foreignChoice(pugi::xml_node node, const std::string& what);
     /// Reports something about an element that is not in effect. `instead`: what is done instead.
     void unsupported(pugi::xml_node node, const std::string& what, const std::string& instead);
     /// Reports an element that is not in all in effect; the first of its name. A strict reading does not stop

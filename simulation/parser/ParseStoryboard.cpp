@@ -53,7 +53,7 @@ NamedAction parseNamedAction(ElementReader reader)
     else
     {
         if (content.node)
-            content.context.foreign(content.node, std::string("the action ") + content.node.name());
+            content.context.foreignChoice(content.node, std::string("the action ") + content.node.name());
         action.action = GlobalAction{Unsupported{action.source, content.node.name()}};
     }
     return action;

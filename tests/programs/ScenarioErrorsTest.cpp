@@ -99,9 +99,16 @@ TEST(ScenarioErrors, CoverFilesThatHoldNoScenario)
     EXPECT_EQ(place.files(), before);
 }
 
+/// Those of other programs, which no element of the standard is like. One with a slip in it was meant to be
+/// one of the standard (`<SpeedActn>` was passed over once, and the car stood for all of the play).
 TEST(ScenarioErrors, AreNotElementsThatArePassedOver)
 {
     const Workplace place;
+    std::string slip = with(driveText("hill.tif"), "<TeleportAction>", "<TeleportActn>");
+    slip = with(slip, "</TeleportAction>", "</TeleportActn>");
+    EXPECT_TRUE(failsWith(runTrainer(play(place, place.write("slip.xosc", slip))), 1, "trainer",
+                          {"slip.xosc:" + lineOf(slip, "<TeleportActn>") + ": ", "the action TeleportActn",
+                           "did you mean TeleportAction?"}));
     const std::string text = with(driveText("hill.tif"), "<TeleportAction>", "<FlyAction/><TeleportAction>");
     const ProgramRun run = runTrainer(play(place, place.write("odd.xosc", text)));
     EXPECT_TRUE(succeeds(run)) << run.text();

@@ -145,6 +145,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"MisspeltElement", "<Fog", "<Fogg", "the element Fogg is no element", "did you mean Fog?"},
         Mistake{"LowerCaseElement", "<Fog", "<fog", "the element fog is no element", "did you mean Fog?"},
+        Mistake{"MisspeltChoice", "<AbsoluteTargetLane ", "<AbsoluteTargetLan ", "is no element of",
+                "did you mean AbsoluteTargetLane?"},
         Mistake{"MisplacedElement", "<Weather>", "<Weather>\n<Actors/>", "does not belong in Weather",
                 "passed over"},
         Mistake{"MisspeltAttribute", "visualRange=", "visualrange=", "Fog has no attribute visualRange",
