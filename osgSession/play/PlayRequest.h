@@ -17,6 +17,7 @@
 
 #include <osgOffscreen/Backend>
 
+#include "simulation/road/WithoutRoads.h"
 #include "view/HudUnits.h"
 #include "view/OpeningClock.h"
 #include "view/Quality.h"
@@ -193,6 +194,7 @@ struct PlayRequest
     std::shared_ptr<const simulation::RoadScene> roadsUnder{}; ///< as PlayerOptions has them
     double longestS = 3600.0;                                  ///< limit for a scenario that never ends
     std::uint64_t seed = 0;                                    ///< of what the player leaves to chance
+    simulation::WithoutRoads without = simulation::WithoutRoads::refused;
 };
 
 } // namespace trainer

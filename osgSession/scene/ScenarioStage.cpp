@@ -16,8 +16,7 @@ namespace
 /// A SceneGraphFile that is there comes before the LogicFile: storyboards of other programs often name models
 /// that are not kept.
 /// Empty: there is neither.
-std::filesystem::path sceneFileOf(const simulation::Scenario& scenario, const PlayRequest& request,
-                                  std::vector<std::string>& notes)
+std::filesystem::path sceneFileOf(const simulation::Scenario& scenario, const PlayRequest& request)
 {
     if (!request.terrain.file.empty()) return request.terrain.file;
     const simulation::RoadNetwork& network = scenario.roadNetwork;
@@ -26,10 +25,7 @@ std::filesystem::path sceneFileOf(const simulation::Scenario& scenario, const Pl
     const std::filesystem::path scene = folder / network.sceneGraphFile;
     std::error_code ignored;
     if (namesScene && (!namesRoads || std::filesystem::exists(scene, ignored))) return scene;
-    std::filesystem::path roads = simulation::roadsFile(scenario, folder);
-    if (namesScene && !roads.empty())
-        notes.push_back(network.sceneGraphFile + " is not there; the roads are shown on ground of their own");
-    return roads;
+    return simulation::roadsFile(scenario, folder);
 }
 
 /// Where Init names no place on earth, level ground needs some place there.
@@ -45,9 +41,9 @@ foundation::Result<SceneTerrain> levelStage(const simulation::Scenario& scenario
     middle.heightM = start.z;
     auto scene = makeLevelScene(middle);
     if (!scene) return scene;
-    const std::string& roads = scenario.roadNetwork.logicFile;
-    const std::string reason = roads.empty() ? "RoadNetwork names neither SceneGraphFile nor LogicFile"
-                                             : "the LogicFile " + roads + " is not there";
+    const bool namesRoads = !scenario.roadNetwork.logicFile.empty();
+    const std::string reason =
+        namesRoads ? "there are no roads" : "RoadNetwork names neither SceneGraphFile nor LogicFile";
     scene->notes.push_back(reason + "; entities move over level ground (--terrain FILE gives another)");
     const bool isFar = !onEarth && glm::length(glm::dvec2(start)) > kFarStartM;
     return isFar ? moved(std::move(*scene), start) : scene;
@@ -57,13 +53,18 @@ foundation::Result<SceneTerrain> levelStage(const simulation::Scenario& scenario
 
 foundation::Result<SceneTerrain> openStage(const simulation::Scenario& scenario, const PlayRequest& request)
 {
-    std::vector<std::string> notes;
-    const std::filesystem::path file = sceneFileOf(scenario, request, notes);
-    if (file.empty()) return levelStage(scenario);
+    const bool hasOther = !request.terrain.file.empty();
+    const auto missing = simulation::missingFiles(
+        scenario, request.scenario, hasOther ? simulation::WithoutRoads::played : request.without);
+    if (!missing) return missing.error();
+    const std::filesystem::path file = sceneFileOf(scenario, request);
     TerrainRequest scene = request.terrain;
     scene.inRoadsFrame = true;
-    auto opened = openScene(file, scene);
-    if (opened) opened->notes.insert(opened->notes.begin(), notes.begin(), notes.end());
+    auto opened = file.empty() ? levelStage(scenario) : openScene(file, scene);
+    if (!opened) return opened;
+    std::vector<std::string>& notes = opened->notes;
+    if (missing->scene && !hasOther) notes.insert(notes.begin(), missing->scene->message());
+    if (missing->roads) notes.insert(notes.begin(), missing->roads->message());
     return opened;
 }
 

@@ -11,9 +11,10 @@ namespace trainer
 {
 
 /// Opens what a scenario is played on: the request's terrain, else the SceneGraphFile, else the LogicFile.
-/// Where neither is there, as with storyboards whose town belongs to another program, entities move over
-/// level ground at the height of their start, which a note of the scene says.
-/// Errors: as openScene(); a SceneGraphFile that is not there, and no LogicFile named.
+/// Where neither is there and `request.without` lets it be played, entities move over level ground at the
+/// height of their start, which a note of the scene says.
+/// Errors: as openScene() and simulation::missingFiles(); a SceneGraphFile that is not there, and no
+/// LogicFile named.
 foundation::Result<SceneTerrain> openStage(const simulation::Scenario& scenario, const PlayRequest& request);
 
 } // namespace trainer

@@ -80,6 +80,7 @@ trainer::PlayRequest requestOf(const SessionSettings& settings)
     trainer::PlayRequest request;
     request.scenario = settings.play.scenario;
     request.seed = settings.play.seed;
+    if (settings.play.isWithoutRoads) request.without = simulation::WithoutRoads::played;
     request.terrain.file = settings.world;
     request.frames.widthPx = settings.picture.widthPx;
     request.frames.heightPx = settings.picture.heightPx;

@@ -21,10 +21,16 @@ RoadNetwork parseRoadNetwork(ElementReader reader)
     reader.allowChildren({"LogicFile", "SceneGraphFile", "TrafficSignals"});
     RoadNetwork network;
     if (const pugi::xml_node node = reader.node.child("LogicFile"))
+    {
         network.logicFile = ElementReader(reader.context, node).text("filepath");
+        network.logicLine = reader.context.line(node);
+    }
     reader.context.hasRoads = !network.logicFile.empty();
     if (const pugi::xml_node node = reader.node.child("SceneGraphFile"))
+    {
         network.sceneGraphFile = ElementReader(reader.context, node).text("filepath");
+        network.sceneLine = reader.context.line(node);
+    }
     if (const pugi::xml_node node = reader.node.child("TrafficSignals"))
         network.signalControllers = parseTrafficSignals({reader.context, node});
     return network;

@@ -20,12 +20,45 @@ std::filesystem::path roadsFile(const Scenario& scenario, const std::filesystem:
     return {};
 }
 
-std::optional<foundation::Error> missingRoads(const Scenario& scenario, const std::filesystem::path& folder)
+namespace
 {
-    const std::string& name = scenario.roadNetwork.logicFile;
-    if (name.empty() || !roadsFile(scenario, folder).empty()) return std::nullopt;
-    return foundation::Error{(folder / name).string(), "the LogicFile is not there",
-                             "instead: there are no roads; correct its path"};
+
+foundation::Error notThere(const std::filesystem::path& file, SourceLine line, const std::string& element,
+                           const std::string& name, const std::string& remedy)
+{
+    return {file.string() + ":" + std::to_string(line.line), "the " + element + " " + name + " is not there",
+            remedy};
+}
+
+/// Whether a LogicFile is no path but the name of a map that another program brings along: `Town01`.
+bool isTown(const std::string& name)
+{
+    return name.find_first_of("./\\") == std::string::npos;
+}
+
+} // namespace
+
+foundation::Result<MissingFiles> missingFiles(const Scenario& scenario, const std::filesystem::path& file,
+                                              WithoutRoads without)
+{
+    MissingFiles missing;
+    const RoadNetwork& network = scenario.roadNetwork;
+    const std::filesystem::path folder = file.parent_path();
+    if (!network.logicFile.empty() && roadsFile(scenario, folder).empty())
+    {
+        if (without == WithoutRoads::refused && !isTown(network.logicFile))
+            return notThere(file, network.logicLine, "LogicFile", network.logicFile,
+                            "correct its path, or play without roads (--without-roads)");
+        missing.roads = notThere(file, network.logicLine, "LogicFile", network.logicFile,
+                                 "instead: there are no roads; correct its path");
+    }
+    std::error_code ignored;
+    if (!network.sceneGraphFile.empty() && !std::filesystem::exists(folder / network.sceneGraphFile, ignored))
+        missing.scene = notThere(file, network.sceneLine, "SceneGraphFile", network.sceneGraphFile,
+                                 network.logicFile.empty() ? "pictures need it; correct its path"
+                                 : missing.roads           ? "instead: level ground; correct its path"
+                                                 : "instead: ground of the roads' own; correct its path");
+    return missing;
 }
 
 foundation::Result<std::shared_ptr<const RoadScene>> openRoads(const Scenario& scenario,

@@ -8,6 +8,7 @@
 
 #include "simulation/geodesy/LocalFrame.h"
 #include "simulation/road/RoadScene.h"
+#include "simulation/road/WithoutRoads.h"
 #include "simulation/scenario/Scenario.h"
 
 namespace simulation
@@ -17,8 +18,16 @@ namespace simulation
 /// with `.xodr`. Empty: it names none, or none is there. `folder`: of the scenario.
 std::filesystem::path roadsFile(const Scenario& scenario, const std::filesystem::path& folder);
 
-/// Says that a LogicFile is named and none is there. Nothing: all is well.
-std::optional<foundation::Error> missingRoads(const Scenario& scenario, const std::filesystem::path& folder);
+/// Files that RoadNetwork names and that are not there, as `file:line`, with what is done instead.
+struct MissingFiles
+{
+    std::optional<foundation::Error> roads, scene;
+};
+
+/// Looks for the files that RoadNetwork names, before one of them is opened. `file`: of the scenario.
+/// Errors: a LogicFile that is not there, as `without` says.
+foundation::Result<MissingFiles> missingFiles(const Scenario& scenario, const std::filesystem::path& file,
+                                              WithoutRoads without);
 
 /// Opens the roads of roadsFile(); null: there are none.
 /// Errors: as RoadScene::open().

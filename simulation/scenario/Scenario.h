@@ -48,6 +48,7 @@ struct RoadNetwork
     std::string logicFile; ///< OpenDRIVE
     std::string sceneGraphFile;
     std::vector<TrafficSignalController> signalControllers{};
+    SourceLine logicLine{}, sceneLine{}; ///< of LogicFile and SceneGraphFile
 
     bool operator==(const RoadNetwork&) const = default;
 };

@@ -53,10 +53,43 @@ TEST(RoadPlay, ShowsTheRoadsOfAScenarioWhereItsPositionsAre)
     EXPECT_GT(greenBefore(place, "beside", R"(<WorldPosition x="31050" y="-17060"/>)"), 8);
 }
 
+/// Nothing of it is played: roads at a path were meant to be there. (It was played on level ground once, for
+/// 3 600 s, and a slip in the path looked like success.)
+TEST(RoadPlay, RefusesRoadsThatAreNotThere)
+{
+    const Workplace place;
+    const std::string scenario = place.write("gone.xosc", carAt(R"(<WorldPosition x="40" y="-7" z="12"/>)"));
+    const auto before = place.files();
+    const std::vector<std::string> words{"gone.xosc:2: the LogicFile road.xodr is not there",
+                                         "correct its path", "--without-roads"};
+    EXPECT_TRUE(
+        failsWith(runTrainer({"play", scenario, "--headless", "--duration", "1"}), 1, "trainer", words));
+    EXPECT_TRUE(failsWith(runTrainer({"play", scenario, "--frames", "1", "--size", "64x36", "--capture",
+                                      place.path("pictures")}),
+                          1, "trainer", words));
+    const ProgramRun checked = runTrainer({"check", scenario});
+    EXPECT_EQ(checked.exitCode, 1);
+    EXPECT_NE(checked.output.find("gone.xosc:2: the LogicFile road.xodr is not there"), std::string::npos)
+        << checked.text();
+    EXPECT_NE(checked.output.find("gone.xosc:2: the SceneGraphFile gone.osgb is not there"),
+              std::string::npos)
+        << checked.text();
+    EXPECT_EQ(place.files(), before);
+    // The controls: who says so plays without them, and roads that are there are played.
+    const ProgramRun without =
+        runTrainer({"play", scenario, "--headless", "--duration", "1", "--without-roads"});
+    EXPECT_TRUE(succeeds(without)) << without.text();
+    EXPECT_NE(without.errors.find("warning: " + scenario + ":2: the LogicFile road.xodr is not there"),
+              std::string::npos)
+        << without.text();
+    place.write("road.xodr", kRoad);
+    EXPECT_TRUE(succeeds(runTrainer({"play", scenario, "--headless", "--duration", "1"})));
+}
+
 TEST(RoadPlay, LaysLevelGroundWhereTheTownIsNotThere)
 {
     const Workplace place;
-    const std::string there = carAt(R"(<WorldPosition x="40" y="-7" z="12"/>)");
+    const std::string there = with(carAt(R"(<WorldPosition x="40" y="-7" z="12"/>)"), "road.xodr", "Town01");
     const std::size_t begin = there.find("<RoadNetwork>") + 13;
     const std::string nowhere = there.substr(0, begin) + there.substr(there.find("</RoadNetwork>"));
     struct Case
@@ -65,14 +98,14 @@ TEST(RoadPlay, LaysLevelGroundWhereTheTownIsNotThere)
         std::string text;
     };
     for (const auto& [eye, note, text] :
-         {Case{"above", "the LogicFile road.xodr is not there", there},
-          Case{"chase", "the LogicFile road.xodr is not there",
+         {Case{"above", "there are no roads", there},
+          Case{"chase", "there are no roads",
                carAt(R"(<WorldPosition x="487000" y="5432000" z="120"/>)")}, // as a map's coordinates are
           Case{"driver", "RoadNetwork names neither SceneGraphFile nor LogicFile", nowhere}})
     {
         const std::string folder = place.path(eye), scenario = place.write(std::string(eye) + ".xosc", text);
         const ProgramRun run = runTrainer({"play", scenario, "--frames", "1", "--size", "64x36", "--eye", eye,
-                                           "--interior", "off", "--capture", folder});
+                                           "--interior", "off", "--capture", folder, "--without-roads"});
         EXPECT_TRUE(succeeds(run));
         EXPECT_NE(run.output.find(std::string(note) + "; entities move over level ground"), std::string::npos)
             << run.output;

@@ -9,12 +9,10 @@
 #include <foundation/WholeFile.h>
 #include <nlohmann/json.hpp>
 
-#include "osgSession/src/core/ScenarioPlace.h"
+#include "osgSession/src/core/SteppedScenario.h"
 #include "simulation/parser/Coverage.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/parser/Variations.h"
-#include "simulation/player/ScenarioPlayer.h"
-#include "simulation/road/ScenarioRoads.h"
 #include "simulation/track/LayRecordings.h"
 #include "terminal/Terminal.h"
 
@@ -44,16 +42,13 @@ void addReferences(Finding& finding, const std::filesystem::path& file, simulati
     const auto add = [&](Problem::Kind kind, const foundation::Error& error) {
         finding.problems.push_back({kind, error});
     };
-    if (const auto missing = simulation::missingRoads(scenario, file.parent_path()))
-        return add(Problem::Kind::invalid, *missing);
-    auto roads = simulation::openRoads(scenario, file.parent_path());
-    if (!roads) return add(Problem::Kind::invalid, roads.error());
-    simulation::PlayerOptions options;
-    options.roads = std::move(*roads);
-    if (options.roads) options.projection = simulation::projectionOf(*options.roads);
-    if (!options.projection) options.origin = placeOnEarth(scenario);
-    options.scenarioName = file.string();
-    const auto player = simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
+    const auto ground =
+        osgSession::core::openScenarioGround(scenario, file, simulation::WithoutRoads::played);
+    if (!ground) return add(Problem::Kind::invalid, ground.error());
+    if (const auto& scene = ground->missing.scene) add(Problem::Kind::unsupported, *scene);
+    if (const auto& roads = ground->missing.roads) return add(Problem::Kind::invalid, *roads);
+    const auto player = osgSession::core::makePlayer(std::move(scenario), file, *ground,
+                                                     simulation::FixedClock::forStep(0.01), 0);
     if (!player) return add(Problem::Kind::invalid, player.error());
     for (const foundation::Error& warning : (*player)->warnings())
         add(Problem::Kind::invalid, warning);

@@ -21,10 +21,11 @@ foundation::Outcome playHeadless(const HeadlessRequest& request)
     if (!parsed) return parsed.error();
     if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
     if (const auto laid = tellRecordings(parsed->scenario, {request.scenario}); !laid) return laid;
-    const auto ground = osgSession::core::openScenarioGround(parsed->scenario, request.scenario);
+    const auto ground =
+        osgSession::core::openScenarioGround(parsed->scenario, request.scenario, request.without);
     if (!ground) return ground.error();
-    for (const std::string& note : ground->notes)
-        std::fprintf(stderr, "warning: %s\n", note.c_str());
+    if (const auto& roads = ground->missing.roads)
+        std::fprintf(stderr, "warning: %s\n", roads->message().c_str());
     auto player = osgSession::core::makePlayer(std::move(parsed->scenario), request.scenario, *ground,
                                                simulation::FixedClock::forStep(request.stepS), request.seed);
     if (!player) return player.error();

@@ -9,6 +9,7 @@
 #include <foundation/Result.h>
 
 #include "simulation/player/ScenarioPlayer.h"
+#include "simulation/road/ScenarioRoads.h"
 
 namespace trainer
 {
@@ -22,6 +23,7 @@ struct HeadlessRequest
     std::filesystem::path logFile;                   ///< empty: none
     std::map<std::string, std::string> parameters{}; ///< values instead of the scenario's
     std::uint64_t seed = 0;                          ///< of what the player leaves to chance
+    simulation::WithoutRoads without = simulation::WithoutRoads::refused;
 };
 
 /// Plays to the stop trigger, until all motions that were lent are done, or request.durationS, with the log

@@ -21,7 +21,7 @@ namespace
 struct PlayLine
 {
     PlayOptions play;
-    bool isHeadless = false;
+    bool isHeadless = false, isWithoutRoads = false;
     HeadlessRequest headless;
     VariationRequest variations;
     TrackRequest tracks;
@@ -81,6 +81,8 @@ foundation::Outcome playRecording(const PlayLine& line)
 foundation::Outcome playOne(const PlayLine& line)
 {
     if (simulation::isTrackFile(line.play.request.scenario)) return playRecording(line);
+    const auto without =
+        line.isWithoutRoads ? simulation::WithoutRoads::played : simulation::WithoutRoads::refused;
     const auto play = [&](const ScenarioPlay& one)
     {
         if (line.isHeadless)
@@ -90,12 +92,14 @@ foundation::Outcome playOne(const PlayLine& line)
             headless.parameters = one.parameters;
             headless.seed = line.variations.seed.value_or(0);
             headless.logFile = withSuffix(headless.logFile, one.suffix);
+            headless.without = without;
             return playHeadless(headless);
         }
         PlayRequest request = line.play.request;
         request.scenario = one.scenario;
         request.parameters = one.parameters;
         request.seed = line.variations.seed.value_or(0);
+        request.without = without;
         OutputRequest& output = request.output;
         output.captureFolder = withSuffix(output.captureFolder, one.suffix);
         output.statsFile = withSuffix(output.statsFile, one.suffix);
@@ -117,6 +121,8 @@ std::vector<Command> addPlay(CLI::App& program)
         ->required();
     command->add_option("--terrain", line->play.request.terrain.file,
                         "terrain or scene file instead of the scenario's SceneGraphFile");
+    command->add_flag("--without-roads", line->isWithoutRoads,
+                      "play a scenario whose LogicFile is not there without roads");
     line->play.addTo(*command);
     addHeadlessOptions(*command, *line);
     addVariationOptions(*command, line->variations);

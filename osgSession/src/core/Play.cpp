@@ -39,9 +39,11 @@ foundation::Result<std::unique_ptr<Play>> Play::open(const PlaySettings& setting
     const auto laid = simulation::layRecordings(*scenario, {settings.scenario});
     if (!laid) return laid.error();
     parts->notes.insert(parts->notes.end(), laid->begin(), laid->end());
-    const auto ground = openScenarioGround(*scenario, settings.scenario);
+    const auto ground = openScenarioGround(*scenario, settings.scenario,
+                                           settings.isWithoutRoads ? simulation::WithoutRoads::played
+                                                                   : simulation::WithoutRoads::refused);
     if (!ground) return ground.error();
-    parts->notes.insert(parts->notes.end(), ground->notes.begin(), ground->notes.end());
+    if (ground->missing.roads) parts->notes.push_back(ground->missing.roads->message());
     auto driven = makeDriven(settings, *scenario, ground->wheels, ground->origin);
     if (!driven) return driven.error();
     parts->driven = std::move(*driven);

@@ -3,20 +3,20 @@
 
 #include "ScenarioPlace.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
-#include "simulation/road/ScenarioRoads.h"
 #include "simulation/vehicle/RoadSceneGround.h"
 
 namespace osgSession::core
 {
 
 foundation::Result<ScenarioGround> openScenarioGround(const simulation::Scenario& scenario,
-                                                      const std::filesystem::path& file)
+                                                      const std::filesystem::path& file,
+                                                      simulation::WithoutRoads without)
 {
     ScenarioGround ground;
-    const std::filesystem::path folder = file.parent_path();
-    if (const auto missing = simulation::missingRoads(scenario, folder))
-        ground.notes.push_back(missing->message());
-    auto roads = simulation::openRoads(scenario, folder);
+    auto missing = simulation::missingFiles(scenario, file, without);
+    if (!missing) return missing.error();
+    ground.missing = std::move(*missing);
+    auto roads = simulation::openRoads(scenario, file.parent_path());
     if (!roads) return roads.error();
     ground.roads = std::move(*roads);
     if (ground.roads)

@@ -12,6 +12,7 @@
 #include <foundation/Result.h>
 
 #include "simulation/player/ScenarioPlayer.h"
+#include "simulation/road/ScenarioRoads.h"
 #include "simulation/vehicle/Ground.h"
 
 namespace osgSession::core
@@ -24,12 +25,14 @@ struct ScenarioGround
     /// a place on earth that Init names, where there are no roads
     std::optional<simulation::Geodetic> origin;
     std::shared_ptr<const simulation::Ground> wheels; ///< as wheels meet it; never null
-    std::vector<std::string> notes;                   ///< a network that is named and not there
+    simulation::MissingFiles missing;
 };
 
-/// Opens the roads of a scenario. `file`: of the scenario. Errors: a network that cannot be read.
+/// Opens the roads of a scenario. `file`: of the scenario. Errors: as missingFiles(); a network that cannot
+/// be read.
 foundation::Result<ScenarioGround> openScenarioGround(const simulation::Scenario& scenario,
-                                                      const std::filesystem::path& file);
+                                                      const std::filesystem::path& file,
+                                                      simulation::WithoutRoads without);
 
 /// Makes the player of a scenario on its ground. `motions`: of entities that something else moves.
 /// Errors: as ScenarioPlayer::create().

@@ -333,22 +333,64 @@ TEST_F(Files, ACatalogueLocationMayNameTheFile)
     EXPECT_EQ(parsed->scenario.entities.at(0).box().lengthM, 5.0);
 }
 
+/// What is said of the roads of a scenario; empty: nothing. Behind "refused: ", where it is not played.
+std::string saidOfRoads(const std::string& logicFile, const std::filesystem::path& file,
+                        WithoutRoads without = WithoutRoads::refused)
+{
+    Scenario scenario;
+    scenario.roadNetwork.logicFile = logicFile;
+    scenario.roadNetwork.logicLine = {7};
+    const auto missing = missingFiles(scenario, file, without);
+    if (!missing) return "refused: " + missing.error().message();
+    return missing->roads ? missing->roads->message() : "";
+}
+
+TEST_F(Files, RoadsThatAreNotThereAreRefusedWithPlaceAndRemedy)
+{
+    const std::filesystem::path file = folder / "a.xosc";
+    write("there.xodr", "");
+    EXPECT_EQ(saidOfRoads("", file), "") << "it names none";
+    EXPECT_EQ(saidOfRoads("there.xodr", file), "");
+    EXPECT_EQ(saidOfRoads("there", file), "");
+    for (const std::string name : {"gone.xodr", "roads/gone", "..\\roads\\gone", "Town10HD.xodr", "./gone"})
+    {
+        EXPECT_EQ(saidOfRoads(name, file), "refused: " + file.string() + ":7: the LogicFile " + name +
+                                               " is not there; correct its path, or play without roads "
+                                               "(--without-roads)");
+        EXPECT_EQ(saidOfRoads(name, file, WithoutRoads::played),
+                  file.string() + ":7: the LogicFile " + name +
+                      " is not there; instead: there are no roads; correct its path");
+    }
+}
+
+TEST_F(Files, ASceneThatIsNotThereIsTold)
+{
+    Scenario scenario;
+    scenario.roadNetwork.sceneGraphFile = "gone.osgb";
+    scenario.roadNetwork.sceneLine = {8};
+    const auto missing = missingFiles(scenario, folder / "a.xosc", WithoutRoads::refused);
+    ASSERT_TRUE(missing && missing->scene);
+    EXPECT_EQ(missing->scene->place, (folder / "a.xosc").string() + ":8");
+    write("gone.osgb", "");
+    const auto found = missingFiles(scenario, folder / "a.xosc", WithoutRoads::refused);
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->scene);
+}
+
+/// A bare name is that of a map which another program brings along: its storyboards come without networks.
 TEST_F(Files, ATownThatIsNotThereLeavesAPlayWithoutRoads)
 {
     Scenario scenario;
-    EXPECT_FALSE(missingRoads(scenario, folder)) << "it names none";
     scenario.roadNetwork.logicFile = "Town01";
-    const auto missing = missingRoads(scenario, folder);
-    ASSERT_TRUE(missing);
-    EXPECT_NE(missing->message().find("Town01: the LogicFile is not there; instead: there are no roads"),
-              std::string::npos)
-        << missing->message();
+    EXPECT_EQ(saidOfRoads("Town01", folder / "a.xosc"),
+              (folder / "a.xosc").string() +
+                  ":7: the LogicFile Town01 is not there; instead: there are no roads; correct its path");
     const auto none = openRoads(scenario, folder);
     ASSERT_TRUE(none) << none.error().message();
     EXPECT_FALSE(*none);
     write("Town01.xodr", roadtexts::network(roadtexts::road(
                              "1", 100.0, roadtexts::straightPlan(100.0) + roadtexts::twoLanes())));
-    EXPECT_FALSE(missingRoads(scenario, folder));
+    EXPECT_EQ(saidOfRoads("Town01", folder / "a.xosc"), "");
     const auto roads = openRoads(scenario, folder);
     ASSERT_TRUE(roads) << roads.error().message();
     ASSERT_TRUE(*roads) << "the name with .xodr";

@@ -26,6 +26,8 @@ struct PlaySettings
     /// Entities that the host drives by set(), each with the data file of its vehicle
     /// (docs/reference/road-vehicle-file.md, docs/reference/aircraft-file.md).
     std::map<std::string, std::filesystem::path> driven{};
+
+    bool isWithoutRoads = false; ///< a scenario whose LogicFile is not there is played without roads
 };
 
 /// A scenario that a host steps: it reads states and events, and drives entities. Nothing is printed, and no
@@ -37,8 +39,8 @@ class Play
 {
 public:
     /// Opens a scenario over its road network; without one, over level ground. The states are those of time
-    /// 0. Errors, with file and line: a scenario, a network or a vehicle that cannot be used; a driven entity
-    /// that the scenario has not.
+    /// 0. Errors, with file and line: a scenario, a network or a vehicle that cannot be used or is not
+    /// there; a driven entity that the scenario has not.
     static foundation::Result<std::unique_ptr<Play>> open(const PlaySettings& settings);
 
     ~Play();
