@@ -65,7 +65,7 @@ struct EntityState
     std::map<std::string, double> animations{};
     std::vector<int> collidesWith;             ///< indices of the entities whose boxes overlap this one's
     std::string roadUnder{};                   ///< the id of the road of `laneUnder`, where a player tells it
-    std::optional<VehicleReadings> readings{}; ///< of one that moves by its own physics
+    std::optional<VehicleReadings> readings{}; ///< of one with physics, and of aircraft in a known wind
 
     /// The rotation from the body to the scene. Its columns are forward, left and up.
     glm::dmat3 bodyToLocal() const;

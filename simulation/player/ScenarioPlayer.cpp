@@ -8,6 +8,8 @@
 #include "simulation/player/ScenarioCheck.h"
 #include "simulation/player/ScenePerformer.h"
 #include "simulation/player/StoryboardRunner.h"
+#include "simulation/vehicle/Airspeeds.h"
+#include "simulation/vehicle/ScenarioWeather.h"
 
 namespace simulation
 {
@@ -50,6 +52,7 @@ public:
         if (!_roads) states = _performer.states();
         findRoads();
         environment = _environmentClock.at(clock.seconds());
+        findAirspeeds();
     }
 
     bool isFinished() const { return _runner.isFinished(); }
@@ -97,11 +100,31 @@ private:
         }
     }
 
+    /// Finds how fast aircraft without physics go through the air, for tables, where the scenario says how
+    /// that moves.
+    void findAirspeeds()
+    {
+        if (!environment.wind) return;
+        const auto& local = frame.frame();
+        const WeatherAir air(weatherOf(environment, local ? local->origin().heightM : 0.0));
+        for (std::size_t i = 0; i < states.size(); ++i)
+        {
+            EntityState& state = states[i];
+            if (state.readings || !state.isPresent || !scenario.entities[i].isAirborne()) continue;
+            const double heightM =
+                local ? local->geodeticFromLocal(state.position).heightM : state.position.z;
+            const AirSample here = air.at(state.position, heightM, clock.seconds());
+            state.readings.emplace().condition = "";
+            writeAirspeed(glm::length(state.velocity - here.windMps), here, state);
+        }
+    }
+
     void publish()
     {
         states = _performer.states();
         findRoads();
         environment = _environmentClock.at(clock.seconds());
+        findAirspeeds();
     }
 
     std::shared_ptr<const RoadScene> _roads, _roadsUnder;

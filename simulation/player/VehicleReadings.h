@@ -13,12 +13,14 @@ inline constexpr std::array<std::string_view, 14> kControlNames{
     "elevator",    "aileron",  "rudder", "elevator_trim", "flaps",  "throttle", "left_brake",
     "right_brake", "steering", "brake",  "handbrake",     "clutch", "gear",     "mixture"};
 
-/// What a debrief asks of a vehicle with physics besides its motion. Units: those of inputs files, m/s.
+/// What a debrief asks of a vehicle with physics besides its motion; of one without, its airspeeds at most.
+/// Units: those of inputs files, m/s.
 struct VehicleReadings
 {
     std::array<std::optional<double>, kControlNames.size()>
         controls{}; ///< of the last step; absent: it has no such input
     std::optional<double> trueAirspeedMps{}, calibratedAirspeedMps{}; ///< of aircraft
+    std::optional<int> gear{};            ///< that is engaged, of a road vehicle: -1 reverse, 0 neutral
     std::string_view condition = "sound"; ///< or crashed, failed; of a text that lives as long as the program
 };
 

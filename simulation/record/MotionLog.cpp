@@ -48,8 +48,8 @@ constexpr std::array kColumns = {"Entity_Name [-]",
                                  "collision_ids"};
 
 /// After esmini's columns: what a debrief needs. Controls follow, by their names in inputs files.
-constexpr std::array kOwnColumns = {"World_Roll_Angle [rad]", "road_id", "True_Airspeed [m/s]",
-                                    "Calibrated_Airspeed [m/s]", "Condition"};
+constexpr std::array kOwnColumns = {"World_Roll_Angle [rad]",    "road_id",   "True_Airspeed [m/s]",
+                                    "Calibrated_Airspeed [m/s]", "Condition", "Engaged_Gear [-]"};
 
 /// Returns an angle within 0 and 2π.
 double turned(double angleRad)
@@ -155,6 +155,8 @@ void MotionLog::writeOwn(const EntityState& state)
     cell(readings.trueAirspeedMps);
     cell(readings.calibratedAirspeedMps);
     _text += std::string(readings.condition) + ", ";
+    if (readings.gear) _text += std::to_string(*readings.gear);
+    _text += ", ";
     for (const std::optional<double>& control : readings.controls)
         cell(control);
 }

@@ -17,8 +17,8 @@ namespace simulation
 {
 
 /// Writes what the entities of a play do as a table of text: the columns of esmini's --csv_logger, one row
-/// for each step, and after them bank, road, airspeeds, condition and controls; a name with a comma or a
-/// quote in it stands between quotes. Accelerations and the heading rate are differences between rows. The
+/// for each step, and after them bank, road, airspeeds, condition, gear and controls; a name with a comma or
+/// a quote in it stands between quotes. Accelerations and the heading rate are differences between rows. The
 /// angle of the wheels is in radians, as esmini has it (its header says degrees).
 class MotionLog
 {

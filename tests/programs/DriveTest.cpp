@@ -6,7 +6,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
+#include <string_view>
+
+#include <foundation/CsvCells.h>
 
 #include "ProgramRun.h"
 #include "Workplace.h"
@@ -97,6 +101,33 @@ TEST(Drive, TyresMeetWhatTheLaneIsMadeOf)
         EXPECT_TRUE(drivenOn(place, kind, {"--surface", "asphalt"}) == dry)
             << kind << ": the option comes first";
     }
+}
+
+/// The whole numbers below a column of a table of one entity; an empty cell is none.
+std::set<int> numbersBelow(const std::string& table, const std::string& column)
+{
+    std::string_view rest = table;
+    for (int i = 0; i < 3; ++i)
+        (void)foundation::takeCsvRecord(rest, ',');
+    const auto names = foundation::takeCsvRecord(rest, ',').cells;
+    const auto found =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin());
+    std::set<int> numbers;
+    while (!rest.empty())
+    {
+        const auto cells = foundation::takeCsvRecord(rest, ',').cells;
+        if (found < cells.size() && !cells[found].empty()) numbers.insert(std::stoi(cells[found]));
+    }
+    return numbers;
+}
+
+TEST(Drive, TellsTheGearThatIsEngaged)
+{
+    const Workplace place;
+    const std::string table = drivenOn(place, "");
+    const std::set<int> gears = numbersBelow(table, "#1 Engaged_Gear [-]");
+    EXPECT_TRUE(gears.contains(1) && gears.contains(2)) << "it shifts up within twelve seconds";
+    EXPECT_FALSE(numbersBelow(table, "#1 Input_gear [-]").contains(2)) << "the lever of an automatic stays";
 }
 
 TEST(Drive, TyresMeetTheWeather)

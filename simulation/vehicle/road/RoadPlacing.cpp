@@ -125,6 +125,8 @@ void RoadVehicle::writeParts(EntityState& entity) const
     }
     entity.wheelRotationDeg = entity.wheelTurnDeg->front();
     writeLamps(entity);
+    if (!entity.readings) entity.readings.emplace();
+    entity.readings->gear = _drivetrain.state().gear;
     entity.steeringDeg = foundation::degreesOf(_steerRad);
     entity.isOnGround = state().isOnGround;
     for (std::size_t i = 0; i < 4; ++i)

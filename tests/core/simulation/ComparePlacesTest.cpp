@@ -214,6 +214,8 @@ TEST(MotionLog, TellsBankAirspeedsConditionRoadAndControls)
     car.laneUnder->s = 12.0;
     car.laneUnder->lane = -1;
     car.roadUnder = "A7, north";
+    car.readings.emplace();
+    car.readings->gear = -1;
     const auto lines = logged({aircraft, car});
     EXPECT_EQ(cellOf(lines, "#1 World_Roll_Angle [rad]"), "-1.000000");
     EXPECT_EQ(cellOf(lines, "#1 True_Airspeed [m/s]"), "61.500000");
@@ -221,6 +223,8 @@ TEST(MotionLog, TellsBankAirspeedsConditionRoadAndControls)
     EXPECT_EQ(cellOf(lines, "#1 Condition"), "crashed");
     EXPECT_EQ(cellOf(lines, "#1 Input_elevator [-]"), "-0.500000");
     EXPECT_EQ(cellOf(lines, "#1 Input_steering [-]"), "");
+    EXPECT_EQ(cellOf(lines, "#1 Engaged_Gear [-]"), "") << "an aircraft has none";
+    EXPECT_EQ(cellOf(lines, "#2 Engaged_Gear [-]"), "-1");
     EXPECT_NE(lines.at(4).find("\"A7, north\""), std::string::npos) << lines.at(4);
     std::string text;
     for (const std::string& line : lines)

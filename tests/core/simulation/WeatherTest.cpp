@@ -68,5 +68,45 @@ TEST(Weather, WhatAnActionLeavesOutStays)
     EXPECT_EQ(rain.cloudState, "rainy");
 }
 
+/// What tables tell of an aircraft that goes east at 50 m/s, 1 000 m above the sea, as a recording does.
+std::optional<VehicleReadings> readingsIn(const std::string& weather, const std::string& object)
+{
+    ScenarioText text;
+    text.entities = "<ScenarioObject name=\"Ego\">" + object + "</ScenarioObject>";
+    text.privates = followTrajectory(vertex(R"(<WorldPosition x="0" y="0" z="0"/>)", "0") +
+                                         vertex(R"(<WorldPosition x="5000" y="0" z="0"/>)", "100"),
+                                     kTiming);
+    text.globals = "<GlobalAction><EnvironmentAction><Environment name=\"e\">" + weather +
+                   "</Environment></EnvironmentAction></GlobalAction>";
+    auto parsed = parseScenario(text.text(), "air.xosc", {.tolerant = true, .parameters = {}});
+    EXPECT_TRUE(parsed) << parsed.error().message();
+    PlayerOptions options;
+    options.origin = Geodetic{46.0, 8.0, 1000.0};
+    const auto player = ScenarioPlayer::create(std::move(parsed->scenario), std::move(options));
+    EXPECT_TRUE(player) << player.error().message();
+    for (int i = 0; i < 120; ++i)
+        (*player)->step();
+    return (*player)->entities().at(0).readings;
+}
+
+const std::string kPlane = R"(<MiscObject name="plane" miscObjectCategory="none" mass="1100">
+<BoundingBox><Center x="0" y="0" z="1"/><Dimensions width="11" length="8" height="2"/></BoundingBox>
+<Properties><Property name="domain" value="air"/></Properties></MiscObject>)";
+
+TEST(Weather, AircraftWithoutPhysicsHaveAirspeedsWhereTheWindIsKnown)
+{
+    // The air moves north at 20 m/s: √(50² + 20²) m/s go past the aircraft.
+    const std::string wind = "<Weather><Wind direction=\"1.5707963267948966\" speed=\"20\"/></Weather>";
+    const auto told = readingsIn(wind, kPlane);
+    ASSERT_TRUE(told && told->trueAirspeedMps && told->calibratedAirspeedMps);
+    EXPECT_NEAR(*told->trueAirspeedMps, std::sqrt(2900.0), 1e-3);
+    // Slow air is incompressible: calibrated is to true as the root of the densities, 1.1117 over 1.225
+    // kg/m³.
+    EXPECT_NEAR(*told->calibratedAirspeedMps, std::sqrt(2900.0 * 1.1117 / 1.225), 0.1);
+    EXPECT_EQ(told->condition, "") << "it has no physics";
+    EXPECT_FALSE(readingsIn("<Weather/>", kPlane)) << "nobody says how the air moves";
+    EXPECT_FALSE(readingsIn(wind, kCar)) << "a car has none";
+}
+
 } // namespace
 } // namespace simulation
