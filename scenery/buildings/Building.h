@@ -41,6 +41,7 @@ struct Building
     double roofM = 2.5;  ///< of the roof above the eaves
     double liftedM =
         0.0; ///< of a part over a passage: its underside above the floor; below it there is nothing
+    bool isOnPosts = false; ///< the lifted part is a roof without walls, on posts
     RoofForm roof = RoofForm::gabled;
     bool isRidgeAcross = false; ///< the ridge lies along the shorter side
     int storeys = 2;

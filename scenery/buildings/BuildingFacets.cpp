@@ -25,6 +25,7 @@ constexpr double kEavesOutM = 0.45, kFasciaM = 0.22;
 constexpr double kUnderEavesM = 1.0; ///< of a wall: there the eaves hide a tenth of what it sees of the sky
 constexpr float kSkyAtEaves = 0.35F; ///< what the ground throws up is left
 constexpr double kProudM = 0.04;
+constexpr double kPostsM = 6.0, kPostInM = 0.3, kPostHalfM = 0.1, kPostFootM = 0.3;
 constexpr float kPlinthShade = 0.62F; ///< of the wall's colour
 constexpr double kClearM = 0.15;      ///< from the ground to the sill of a window
 constexpr double kHighStepM = 1.5;    ///< a door stands no higher above the ground: it opens into the plinth
@@ -57,6 +58,7 @@ public:
         }
         addRoof(covered);
         if (isLifted()) addUnderside();
+        if (_building.isOnPosts) addPosts();
         for (std::size_t i = 0; i < covered.front().size(); ++i)
             addEaves(i, covered.front());
         if (_building.openings != Openings::none) addOpenings();
@@ -188,6 +190,42 @@ private:
                                                                   kPlinthShade * _building.wallTint,
                                                                   std::vector<float>(3, kSkyAtEaves));
                      });
+    }
+
+    /// Posts below the outer edge of a roof without walls, at its corners and not farther apart than
+    /// kPostsM.
+    void addPosts()
+    {
+        const PlanRing ring = grownRing(_building.rings.front(), -kPostInM);
+        for (std::size_t i = 0; i < ring.size(); ++i)
+        {
+            const glm::dvec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
+            const int spans = std::max(1, static_cast<int>(std::ceil(glm::length(to - from) / kPostsM)));
+            for (int span = 0; span < spans; ++span)
+            {
+                const double share = static_cast<double>(span) / spans;
+                addPost(glm::mix(from, to, share), _standing.groundAt(0, i, share));
+            }
+        }
+    }
+
+    void addPost(const glm::dvec2& place, double groundM)
+    {
+        const double footM = std::min(groundM, _standing.floorM) - kPostFootM,
+                     topM = std::max(_standing.footM, _standing.floorM) + _building.liftedM;
+        constexpr std::array<glm::dvec2, 4> kCorners{{{-kPostHalfM, -kPostHalfM},
+                                                      {kPostHalfM, -kPostHalfM},
+                                                      {kPostHalfM, kPostHalfM},
+                                                      {-kPostHalfM, kPostHalfM}}};
+        for (std::size_t i = 0; i < kCorners.size(); ++i)
+        {
+            const glm::dvec2 a = place + kCorners[i], b = place + kCorners[(i + 1) % kCorners.size()];
+            _facets.shell[_building.wall].addPolygon(
+                {local(a, footM), local(b, footM), local(b, topM), local(a, topM)},
+                {uvOf(0.0, footM), uvOf(2.0 * kPostHalfM, footM), uvOf(2.0 * kPostHalfM, topM),
+                 uvOf(0.0, topM)},
+                kPlinthShade * _building.wallTint);
+        }
     }
 
     void addRoofTriangle(const std::array<glm::dvec2, 3>& triangle)

@@ -64,6 +64,7 @@ bool isOneOf(std::string_view value, const std::array<std::string_view, N>& word
     return std::find(words.begin(), words.end(), value) != words.end();
 }
 
+constexpr double kOpenRoofM = 0.3; ///< of the edge of a roof without walls
 constexpr std::array<std::string_view, 14> kLow{"garage", "garages", "shed",  "hut",           "carport",
                                                 "roof",   "cabin",   "kiosk", "greenhouse",    "barn",
                                                 "stable", "cowshed", "sty",   "farm_auxiliary"};
@@ -219,6 +220,9 @@ std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, c
     }
     const double lowM = lowestOf(building, tags);
     if (lowM < building.eavesM) building.liftedM = lowM;
+    building.isOnPosts = kind == "roof" || kind == "carport";
+    if (building.isOnPosts && building.liftedM <= 0.0)
+        building.liftedM = std::max(0.5 * building.eavesM, building.eavesM - kOpenRoofM);
     building.openings = openingsOf(kind, tags);
     building.hasShop = kind == "retail" || kind == "supermarket" || !valueOf(tags, "shop").empty();
     return building;

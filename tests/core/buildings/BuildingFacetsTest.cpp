@@ -115,6 +115,35 @@ TEST(BuildingFacets, APartOverAPassageIsClosedFromBelowAndLeavesThePassage)
         EXPECT_GE(place.z, lowM - 1e-3);
 }
 
+/// The area of upright facets below a height.
+double uprightBelow(const BuildingFacets& facets, double heightM)
+{
+    double area = 0.0;
+    for (const auto& [painting, shell] : facets.shell)
+        for (std::size_t i = 0; i < shell.indices.size(); i += 3)
+        {
+            const auto at = [&](std::size_t k) { return glm::dvec3(shell.positions[shell.indices[i + k]]); };
+            const glm::dvec3 turned = glm::cross(at(1) - at(0), at(2) - at(0));
+            const double highestM = std::max({at(0).z, at(1).z, at(2).z});
+            if (highestM < heightM + 1e-3 && std::abs(turned.z) < 1e-6) area += 0.5 * glm::length(turned);
+        }
+    return area;
+}
+
+TEST(BuildingFacets, ARoofOnPostsHasNoWalls)
+{
+    StandingBuilding standing = house(kSquare, RoofForm::flat);
+    standing.building.liftedM = 5.7;
+    standing.building.openings = Openings::none;
+    const double undersideM = kFloorM + 5.7 - kFootM;
+    EXPECT_EQ(uprightBelow(facetsOf(standing), undersideM), 0.0) << "the control: it floats";
+    standing.building.isOnPosts = true;
+    const BuildingFacets facets = facetsOf(standing);
+    // Two spans a side: eight posts, 20 cm on each of four sides, from 30 cm below the ground.
+    EXPECT_NEAR(uprightBelow(facets, undersideM), 8 * 4 * 0.2 * (5.7 + 0.3), 0.01);
+    EXPECT_TRUE(facets.openings.positions.empty());
+}
+
 TEST(BuildingFacets, AMissingWallOrARaisedRoofIsSeen)
 {
     const StandingBuilding standing = house(kHook, RoofForm::gabled);

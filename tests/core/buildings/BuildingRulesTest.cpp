@@ -35,6 +35,26 @@ TEST(BuildingRules, TagsAreStrongerThanRules)
     EXPECT_EQ(colourOfTag("red"), tower->roofTint);
 }
 
+TEST(BuildingRules, ARoofStandsOnPosts)
+{
+    const auto made = [](const BuildingTags& tags) { return *buildingOf(rectangle(20, 12), tags, 1); };
+    for (const char* kind : {"roof", "carport"})
+    {
+        const Building roof = made({{"building", kind}, {"height", "5"}});
+        EXPECT_TRUE(roof.isOnPosts) << kind;
+        EXPECT_DOUBLE_EQ(roof.eavesM, 5.0) << kind;
+        EXPECT_DOUBLE_EQ(roof.liftedM, 4.7) << kind;
+        EXPECT_EQ(roof.openings, Openings::none) << kind;
+    }
+    EXPECT_DOUBLE_EQ(made({{"building", "roof"}, {"height", "5"}, {"min_height", "4"}}).liftedM, 4.0);
+    const Building gabled =
+        made({{"building", "roof"}, {"height", "5"}, {"roof:shape", "gabled"}, {"roof:height", "2"}});
+    EXPECT_DOUBLE_EQ(gabled.liftedM, 2.7) << "below the eaves";
+    const Building house = made({{"building", "house"}, {"height", "5"}});
+    EXPECT_FALSE(house.isOnPosts) << "the control";
+    EXPECT_EQ(house.liftedM, 0.0);
+}
+
 TEST(BuildingRules, WithoutTagsTheSameIdGivesTheSameHouse)
 {
     const BuildingTags tags{{"building", "house"}};
