@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "scenery/buildings/BuildingRules.h"
+#include "scenery/buildings/Outline.h"
 
 namespace scenery
 {
@@ -39,12 +43,22 @@ std::size_t doorEdgeOf(const std::vector<glm::dvec2>& ring, double groundM, cons
     return best;
 }
 
-/// Puts a building on the ground. False: some of it lies beyond.
-bool stand(StandingBuilding& standing, const GroundHeight& ground, const NearestStreet& street)
+/// The lowest floor above the ground at the door; higher where walls would lie too deep in the ground.
+double floorOf(const StandingBuilding& standing, const GroundSpan& span, bool isByStreet)
+{
+    const double mostM = span.lowM + std::max(kMostCellarM, 0.5 * standing.building.eavesM);
+    const double doorM = std::clamp(standing.groundAt(0, standing.doorEdge, 0.5), span.lowM,
+                                    isByStreet ? span.highM : std::min(span.highM, mostM));
+    return std::max(doorM + kThresholdM, std::min(span.highM - kMostSunkM, mostM));
+}
+
+/// Puts a building on the ground, and returns what lies below it; nothing: some of it lies beyond.
+std::optional<GroundSpan> stand(StandingBuilding& standing, const GroundHeight& ground,
+                                const NearestStreet& street)
 {
     const Building& building = standing.building;
     const auto span = groundUnder(building.rings, ground);
-    if (!span) return false;
+    if (!span) return std::nullopt;
     for (const auto& ring : building.rings)
     {
         standing.groundM.emplace_back();
@@ -52,12 +66,33 @@ bool stand(StandingBuilding& standing, const GroundHeight& ground, const Nearest
             standing.groundM.back().push_back(ground(corner.x, corner.y).value_or(span->lowM));
     }
     standing.doorEdge = doorEdgeOf(building.rings.front(), span->lowM, street);
-    const double mostM = span->lowM + std::max(kMostCellarM, 0.5 * building.eavesM);
-    const double doorM = std::clamp(standing.groundAt(0, standing.doorEdge, 0.5), span->lowM,
-                                    street ? span->highM : std::min(span->highM, mostM));
-    standing.floorM = std::max(doorM + kThresholdM, std::min(span->highM - kMostSunkM, mostM));
+    standing.floorM = floorOf(standing, *span, static_cast<bool>(street));
     standing.footM = span->lowM - kFootM;
-    return true;
+    return span;
+}
+
+/// The parts of one building that stand.
+struct StandingParts
+{
+    std::vector<std::size_t> of; ///< their places among the buildings
+    GroundSpan span{1e300, -1e300};
+};
+
+/// Puts the parts of a building on one floor: that of the largest of them that stands on the ground, over the
+/// ground of all. Each keeps its own foot.
+void shareFloor(const StandingParts& parts, std::vector<StandingBuilding>& buildings, bool isByStreet)
+{
+    if (parts.of.size() < 2) return;
+    const auto rank = [&](std::size_t i)
+    {
+        const Building& building = buildings[i].building;
+        return std::pair(building.liftedM <= 0.0, areaOf(building.rings));
+    };
+    const std::size_t lead = *std::max_element(
+        parts.of.begin(), parts.of.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+    const double floorM = floorOf(buildings[lead], parts.span, isByStreet);
+    for (const std::size_t i : parts.of)
+        buildings[i].floorM = floorM;
 }
 
 } // namespace
@@ -90,6 +125,7 @@ StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, c
                                  const NearestStreet& street)
 {
     StandingBuildings standing;
+    std::map<std::string, StandingParts, std::less<>> wholes;
     for (const auto& shape : shapes.shapes)
     {
         const auto id = static_cast<std::uint64_t>(shape.id);
@@ -101,11 +137,22 @@ StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, c
             continue;
         }
         StandingBuilding placed{*std::move(building)};
-        if (stand(placed, ground, street))
-            standing.buildings.push_back(std::move(placed));
-        else
+        const auto span = stand(placed, ground, street);
+        if (!span)
+        {
             ++standing.beyondGround;
+            continue;
+        }
+        if (const auto whole = shape.tags.find(kWholeTag); whole != shape.tags.end())
+        {
+            StandingParts& parts = wholes[whole->second];
+            parts.of.push_back(standing.buildings.size());
+            parts.span = {std::min(parts.span.lowM, span->lowM), std::max(parts.span.highM, span->highM)};
+        }
+        standing.buildings.push_back(std::move(placed));
     }
+    for (const auto& [whole, parts] : wholes)
+        shareFloor(parts, standing.buildings, static_cast<bool>(street));
     return standing;
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <osgTerrainROAM/core/features/ShapeImport.h>
@@ -29,7 +30,7 @@ struct StandingBuildings
 /// door is on the side of the nearest street, or on the longest one, and the floor at the ground there;
 /// higher where more than kMostSunkM of a wall would lie in the ground, but not by so much that walls show
 /// below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and half
-/// a metre into it.
+/// a metre into it. Parts of one building (kWholeTag) have one floor, that of the largest on the ground.
 StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground,
                                  const NearestStreet& street = {});
 
@@ -40,6 +41,9 @@ struct GroundSpan
 };
 std::optional<GroundSpan> groundUnder(const std::vector<std::vector<glm::dvec2>>& rings,
                                       const GroundHeight& ground);
+
+/// The tag of a part that names the building which it is a part of.
+inline constexpr std::string_view kWholeTag = "part_of";
 
 inline constexpr double kFootM = 0.5;     ///< of walls in the lowest ground
 inline constexpr double kMostSunkM = 2.4; ///< of the uphill walls

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "scenery/buildings/StandBuildings.h"
 #include "worldmaking/land/MapFile.h"
 
 namespace worldmaking
@@ -62,6 +63,7 @@ Tags tagsOf(const House& house)
     tags.insert_or_assign("building:colour", hexOf(building.wallTint));
     tags.insert_or_assign("roof:colour", hexOf(building.roofTint));
     if (building.liftedM > 0.0) tags.insert_or_assign("min_height", metres(building.liftedM));
+    if (house.whole != 0) tags.insert_or_assign(std::string(scenery::kWholeTag), std::to_string(house.whole));
     return tags;
 }
 
@@ -78,6 +80,8 @@ foundation::Outcome writeHouses(std::span<const House> houses, const std::filesy
     if (std::any_of(houses.begin(), houses.end(),
                     [](const House& house) { return house.building.liftedM > 0.0; }))
         keys.emplace_back("min_height");
+    if (std::any_of(houses.begin(), houses.end(), [](const House& house) { return house.whole != 0; }))
+        keys.emplace_back(scenery::kWholeTag);
     map.beginLayer("buildings", ShapeForm::area, keys);
     for (const House& house : houses)
         if (house.shape.form == ShapeForm::area) map.add(house.shape.paths, tagsOf(house));

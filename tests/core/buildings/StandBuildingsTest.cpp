@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/buildings/StandBuildings.h"
 
+#include <algorithm>
+#include <map>
+#include <string>
+
 #include <gtest/gtest.h>
 
 namespace
@@ -68,6 +72,41 @@ TEST(StandBuildings, WhatLiesBeyondTheGroundIsCounted)
     const StandingBuildings made = standBuildings(oneHouse(), none);
     EXPECT_TRUE(made.buildings.empty());
     EXPECT_EQ(made.beyondGround, 1u);
+}
+
+/// A tower of 40 m² uphill, a hall of 96 m² downhill, and a bridge between them.
+ShapeSet threeParts(const std::string& ofTower)
+{
+    ShapeSet set;
+    const auto add = [&](std::int64_t id, double fromM, double toM, const std::string& whole, const char* low)
+    {
+        std::map<std::string, std::string, std::less<>> tags{
+            {"building", "yes"}, {"height", "12"}, {"min_height", low}};
+        if (!whole.empty()) tags.emplace(kWholeTag, whole);
+        set.shapes.push_back({id, {}, {{{fromM, 0}, {toM, 0}, {toM, 8}, {fromM, 8}}}, tags});
+    };
+    add(1, 0.0, 12.0, "9", "0");
+    add(2, 12.0, 15.0, "9", "5");
+    add(3, 15.0, 20.0, ofTower, "0");
+    return set;
+}
+
+TEST(StandBuildings, PartsOfOneBuildingShareTheFloorOfTheLargestOnTheGround)
+{
+    const auto slope = [](double eastM, double) { return std::optional(100.0 + 0.15 * eastM); };
+    const auto street = [](const glm::dvec3& from) { return std::optional(glm::dvec2(-20.0, from.y)); };
+    const StandingBuildings made = standBuildings(threeParts("9"), slope, street);
+    ASSERT_EQ(made.buildings.size(), 3u);
+    // At the hall's door the ground lies at 100.0 m; 103.0 m at the other end is less than a storey above it.
+    const double floorM = std::max(100.05, 103.0 - kMostSunkM);
+    for (const StandingBuilding& part : made.buildings)
+        EXPECT_NEAR(part.floorM, floorM, 1e-9);
+    EXPECT_NEAR(made.buildings[0].footM, 99.5, 1e-9);
+    EXPECT_NEAR(made.buildings[2].footM, 101.75, 1e-9) << "each has its own foot";
+    // The control: of another building, or of none, it has its own.
+    for (const char* other : {"8", ""})
+        EXPECT_GT(standBuildings(threeParts(other), slope, street).buildings[2].floorM, floorM + 1.0)
+            << other;
 }
 
 } // namespace
