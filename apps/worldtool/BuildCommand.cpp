@@ -103,12 +103,11 @@ void tell(const nlohmann::ordered_json& report, const Request& request)
     std::cout << summaryOf(report) << "all counts: " << (request.world / "report.json").string() << '\n';
 }
 
-/// The files of the map, the runways of a table, and how many others it has.
+/// The files of the map, and the runways of a table.
 struct InputHeads
 {
     std::vector<worldmaking::MapSource> maps;
-    std::vector<worldmaking::Runway> runways;
-    std::size_t unusable = 0;
+    worldmaking::RunwayTable runways;
 };
 
 /// Reads of the inputs what is read in no time, so that what is wrong with it is told before any work.
@@ -123,7 +122,7 @@ foundation::Result<InputHeads> readHeads(const Request& request)
         if (const auto table = osgTerrainROAM::core::readCoverTable(request.landCoverClasses); !table)
             return table.error();
     if (request.runways.empty()) return listed;
-    auto read = worldmaking::readRunways(request.runways, listed.unusable);
+    auto read = worldmaking::readRunways(request.runways);
     if (!read) return read.error();
     listed.runways = std::move(*read);
     return listed;
@@ -255,8 +254,10 @@ foundation::Result<Report> build(const Request& request)
             places.push_back(
                 {{"kind", place.kind}, {"longitudeDeg", place.degrees.x}, {"latitudeDeg", place.degrees.y}});
     }
-    runways.insert(runways.end(), listed->runways.begin(), listed->runways.end());
-    WorldMaker maker({request, map->streets, map->land, *bounds, runways, listed->unusable, hasSea,
+    const worldmaking::RunwayTable& table = listed->runways;
+    runways.insert(runways.end(), table.runways.begin(), table.runways.end());
+    map->land.notes.insert(map->land.notes.end(), table.notes.begin(), table.notes.end());
+    WorldMaker maker({request, map->streets, map->land, *bounds, runways, table.unusable, hasSea,
                       waterOf(map->land, isMadeUp, hasSea), madePlaces, ground->placeInScene, climate,
                       *std::move(cover)},
                      ground->heightM, std::move(*state), progress);

@@ -132,7 +132,7 @@ waterOf(const osgTerrainROAM::core::RoamFile& description, const osgTerrainROAM:
     {
         auto read = osgTerrainROAM::core::importEarthworks(source, tile);
         if (!read) return read.error();
-        for (auto& work : *read)
+        for (auto& work : read->works)
             if (work.riseM > 0.0) works.push_back(std::move(work));
     }
     return osgTerrainROAM::core::Earthworks(std::move(works), 0.0,

@@ -95,13 +95,13 @@ foundation::Outcome CoverRaster::write(const std::filesystem::path& file, const 
     }
     dataset.reset();
     std::error_code failed;
-    isWritten = isWritten && errors.firstError.empty();
+    isWritten = isWritten && !errors.hasFailed();
     if (isWritten) std::filesystem::rename(part, file, failed);
     if (isWritten && !failed) return foundation::success();
     std::error_code ignored;
     std::filesystem::remove(part, ignored);
     return foundation::Error{file.string(),
-                             "cannot be written: " + (failed ? failed.message() : errors.firstError),
+                             "cannot be written: " + (failed ? failed.message() : errors.firstError()),
                              "check that the folder can be written and the disk has room"};
 }
 

@@ -134,10 +134,10 @@ foundation::Outcome MapFile::finish()
     if (_open->dataset) _open->dataset->CommitTransaction();
     _open->dataset.reset();
     std::error_code failed;
-    if (_open->errors.firstError.empty()) std::filesystem::rename(_part, _file, failed);
-    if (!_open->errors.firstError.empty() || failed)
+    if (!_open->errors.hasFailed()) std::filesystem::rename(_part, _file, failed);
+    if (_open->errors.hasFailed() || failed)
         return foundation::Error{
-            _file.string(), "cannot be written: " + (failed ? failed.message() : _open->errors.firstError),
+            _file.string(), "cannot be written: " + (failed ? failed.message() : _open->errors.firstError()),
             "check that the folder can be written and the disk has room"};
     return foundation::success();
 }

@@ -31,10 +31,11 @@ std::string surfaceOf(const std::string& text)
 
 } // namespace
 
-foundation::Result<std::vector<Runway>> readRunways(const std::filesystem::path& file, std::size_t& unusable)
+foundation::Result<RunwayTable> readRunways(const std::filesystem::path& file)
 {
     if (const auto readable = foundation::checkReadable(file); !readable) return readable.error();
-    GdalScope errors;
+    GdalScope gdal;
+    gdal.setFile(file.string());
     const char* const drivers[] = {"CSV", nullptr};
     const DatasetPtr dataset(
         GDALDataset::Open(file.string().c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
@@ -45,7 +46,7 @@ foundation::Result<std::vector<Runway>> readRunways(const std::filesystem::path&
         if (layer->GetLayerDefn()->GetFieldIndex(column) < 0)
             return Error{file.string(), std::string("has no column ") + column,
                          "give runways of OurAirports, with the line of names"};
-    std::vector<Runway> runways;
+    RunwayTable table;
     while (const OGRFeatureUniquePtr row{layer->GetNextFeature()})
     {
         const auto text = [&](const char* column) { return std::string(row->GetFieldAsString(column)); };
@@ -61,11 +62,12 @@ foundation::Result<std::vector<Runway>> readRunways(const std::filesystem::path&
                              std::abs(runway.from.y) < 90.0 && std::abs(runway.to.y) < 90.0 &&
                              runway.from != runway.to;
         if (text("closed") == "1" || !hasEnds)
-            ++unusable;
+            ++table.unusable;
         else
-            runways.push_back(std::move(runway));
+            table.runways.push_back(std::move(runway));
     }
-    return runways;
+    table.notes = gdal.notes();
+    return table;
 }
 
 std::optional<PlanRings> stripOf(const Runway& runway, const MapPlane& plane)

@@ -24,11 +24,19 @@ struct Runway
     std::string surface; ///< asphalt, gravel or grass
 };
 
+/// The runways of a table.
+struct RunwayTable
+{
+    std::vector<Runway> runways;
+    std::size_t unusable = 0;         ///< closed ones, and lines without both ends
+    std::vector<std::string> notes{}; ///< what GDAL warned of, one line each
+};
+
 /// Reads runways of a table of OurAirports (comma-separated, a line of names first; ends, width in feet,
-/// surface). Closed runways and lines without both ends are counted in `unusable`.
+/// surface).
 /// Errors: a file that cannot be read, or lacks one of the columns.
 /// Source: ourairports.com/help/data-dictionary.html, runways.csv.
-foundation::Result<std::vector<Runway>> readRunways(const std::filesystem::path& file, std::size_t& unusable);
+foundation::Result<RunwayTable> readRunways(const std::filesystem::path& file);
 
 /// Returns the strip of a runway in the plane that stays free: kStripEndM beyond its ends, kStripSideM beside
 /// it. Nothing: no place in the plane.

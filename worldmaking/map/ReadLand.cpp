@@ -228,20 +228,20 @@ foundation::Result<LandMap> readLand(const std::filesystem::path& file, const Ma
     if (!converted) return converted.error();
     GdalScope errors;
     const std::string name = file.string();
+    errors.setFile(name);
     std::optional<FileInMemory> inMemory;
     if (*converted) inMemory.emplace(**converted);
     const std::string opened = inMemory ? inMemory->name() : openableName(file);
     const DatasetPtr dataset(
         GDALDataset::Open(opened.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
-    if (errors.lacksMemory) return tooLarge(name);
+    if (errors.lacksMemory()) return tooLarge(name);
     if (!dataset)
-        return Error{name,
-                     "cannot be read as a map" + (errors.firstError.empty() ? "" : ": " + errors.firstError),
+        return Error{name, "cannot be read as a map" + (errors.hasFailed() ? ": " + errors.firstError() : ""),
                      "give a map as .osm, .osm.gz, .osm.pbf, GeoPackage, GeoJSON or shapefile"};
     const auto ways = transformationsOf(*dataset, name);
     if (!ways) return ways.error();
     LandReader reader(bounds);
-    errors.firstError.clear();
+    errors.clear();
     while (true) // layers of OpenStreetMap files come by turns
     {
         OGRLayer* layer = nullptr;
@@ -251,11 +251,10 @@ foundation::Result<LandMap> readLand(const std::filesystem::path& file, const Ma
             std::find_if(ways->begin(), ways->end(), [&](const auto& w) { return w.first == layer; });
         reader.take(*feature, way == ways->end() ? nullptr : way->second.get());
     }
-    if (errors.lacksMemory) return tooLarge(name);
-    if (!errors.firstError.empty())
-        return Error{name, "is damaged: " + errors.firstError, "fetch it again, or repair it with ogr2ogr"};
-    for (const std::string& warning : errors.warnings)
-        reader.map.notes.push_back(name + ": GDAL warns: " + warning);
+    if (errors.lacksMemory()) return tooLarge(name);
+    if (errors.hasFailed())
+        return Error{name, "is damaged: " + errors.firstError(), "fetch it again, or repair it with ogr2ogr"};
+    reader.map.notes.insert(reader.map.notes.end(), errors.notes().begin(), errors.notes().end());
     return std::move(reader.map);
 }
 

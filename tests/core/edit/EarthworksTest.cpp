@@ -9,6 +9,8 @@
 #include <osgTerrainROAM/core/edit/ShapeGround.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
+#include "TestFolder.h"
+
 using osgTerrainROAM::core::Earthwork;
 using osgTerrainROAM::core::Earthworks;
 
@@ -270,6 +272,25 @@ TEST(ImportEarthworks, AShapeWithoutHeightsIsToldWithItsPlace)
     std::filesystem::remove(file);
 }
 
+/// A table whose columns are of a type that GDAL does not know.
+TEST(ImportEarthworks, WhatGdalWarnsOfIsANoteOfTheTile)
+{
+    const testsupport::TestFolder folder("earthworks");
+    const auto file = folder.write("works.csv", "WKT,width\n\"LINESTRING Z (800 800 150,1200 800 150)\",8\n");
+    const auto tile = hillTile();
+    const auto notes = [&] { return tile->tile.field().notes; };
+    ASSERT_TRUE(shapeGround(std::vector<std::filesystem::path>{file}, tile));
+    EXPECT_TRUE(notes().empty()) << notes()[0];
+    folder.write("works.csvt", "\"String\",\"Number\"\n");
+    for (int i = 0; i < 2; ++i)
+    {
+        ASSERT_TRUE(shapeGround(std::vector<std::filesystem::path>{file}, tile));
+        ASSERT_EQ(notes().size(), 1u) << "told once";
+        EXPECT_NE(notes()[0].find("works.csv: GDAL warns: Unknown type : Number"), std::string::npos)
+            << notes()[0];
+    }
+}
+
 TEST(ImportEarthworks, ReadsHeightsAndFigures)
 {
     const auto file = std::filesystem::temp_directory_path() / "earthworks.geojson";
@@ -279,8 +300,8 @@ TEST(ImportEarthworks, ReadsHeightsAndFigures)
     const auto tile = hillTile();
     const auto read = osgTerrainROAM::core::importEarthworks(file, tile->tile);
     ASSERT_TRUE(read) << read.error().message();
-    ASSERT_EQ(read->size(), 1u);
-    const Earthwork& work = read->front();
+    ASSERT_EQ(read->works.size(), 1u);
+    const Earthwork& work = read->works.front();
     EXPECT_EQ(work.heightsM, (std::vector<std::vector<double>>{{150.0, 140.0}}));
     EXPECT_EQ(work.widthM, 8.0);
     EXPECT_EQ(work.stripM, 5.0);

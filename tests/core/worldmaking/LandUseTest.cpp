@@ -176,24 +176,30 @@ TEST(Runways, OfOurAirportsHaveTwoEndsAndAWidth)
     const std::string head =
         "id,airport_ident,width_ft,surface,closed,le_ident,le_latitude_deg,le_longitude_deg,"
         "he_ident,he_latitude_deg,he_longitude_deg\n";
-    std::size_t unusable = 0;
-    const auto runways =
+    const auto table =
         readRunways(folder.write("runways.csv", head + "1,LESU,100,ASP,0,03,42.33,1.40,21,42.34,1.41\n"
                                                        "2,XXXX,100,ASP,1,03,42.33,1.40,21,42.34,1.41\n"
                                                        "3,YYYY,,GRVL,0,03,,,21,,\n"
-                                                       "4,ZZZZ,,\"Turf, short\",0,09,42,1,27,42,1.01\n"),
-                    unusable);
-    ASSERT_TRUE(runways) << runways.error().message();
-    ASSERT_EQ(runways->size(), 2u);
-    EXPECT_EQ(unusable, 2u);
-    EXPECT_NEAR((*runways)[0].widthM, 30.48, 1e-9);
-    EXPECT_EQ((*runways)[0].designators, "03/21");
-    EXPECT_EQ((*runways)[0].surface, "asphalt");
-    EXPECT_EQ((*runways)[1].surface, "grass");
-    const auto lacking = readRunways(folder.write("other.csv", "a,b\n1,2\n"), unusable);
+                                                       "4,ZZZZ,,\"Turf, short\",0,09,42,1,27,42,1.01\n"));
+    ASSERT_TRUE(table) << table.error().message();
+    const std::vector<Runway>& runways = table->runways;
+    ASSERT_EQ(runways.size(), 2u);
+    EXPECT_EQ(table->unusable, 2u);
+    EXPECT_TRUE(table->notes.empty()) << table->notes[0];
+    EXPECT_NEAR(runways[0].widthM, 30.48, 1e-9);
+    EXPECT_EQ(runways[0].designators, "03/21");
+    EXPECT_EQ(runways[0].surface, "asphalt");
+    EXPECT_EQ(runways[1].surface, "grass");
+    folder.write("runways.csvt", "\"a\",\"b\",\"c\",\"d\",\"e\",\"f\",\"g\",\"h\",\"i\",\"j\",\"k\"\n");
+    const auto warned = readRunways(folder / "runways.csv");
+    ASSERT_TRUE(warned) << warned.error().message();
+    ASSERT_FALSE(warned->notes.empty());
+    EXPECT_NE(warned->notes[0].find("runways.csv: GDAL warns: Unknown type : a"), std::string::npos)
+        << warned->notes[0];
+    const auto lacking = readRunways(folder.write("other.csv", "a,b\n1,2\n"));
     ASSERT_FALSE(lacking);
     EXPECT_NE(lacking.error().message().find("has no column le_latitude_deg"), std::string::npos);
-    EXPECT_FALSE(readRunways(folder / "none.csv", unusable));
+    EXPECT_FALSE(readRunways(folder / "none.csv"));
 }
 
 } // namespace

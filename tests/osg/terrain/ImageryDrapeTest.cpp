@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <osg/Notify>
+
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include "RasterWriter.h"
 #include "SyntheticField.h"
+#include "UnsortedTags.h"
 
 namespace
 {
@@ -97,6 +100,40 @@ TEST(ImageryDrape, ALayerReachesAsFarAsItsImageryAndKeepsItsResolution)
     EXPECT_NEAR(texelAt(*layer->image, 0.5, 0.5)[0], 29.5 * 2.0 + 24.5 * 2.5, 4);
     writeImagery(folder / "far.tif", 300000.0, 4000000.0);
     EXPECT_FALSE(imageryLayer(folder / "far.tif", tile));
+}
+
+namespace
+{
+
+/// Keeps what OSG is told while it lives.
+class Told : public osg::NotifyHandler
+{
+public:
+    explicit Told(std::string& text) : _text(text) {}
+    void notify(osg::NotifySeverity, const char* message) override { _text += message; }
+
+private:
+    std::string& _text;
+};
+
+} // namespace
+
+TEST(ImageryDrape, WhatGdalWarnsOfIsTold)
+{
+    const TemporaryFolder folder;
+    const auto tile = geographicTile(folder);
+    writeImagery(folder / "image.tif", 422567.8 - 300.0, 5094533.6 - 300.0);
+    std::string told;
+    const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
+    osg::setNotifyHandler(new Told(told));
+    const auto plain = imageryDrape(folder / "image.tif", tile);
+    const std::string toldOfPlain = told;
+    testsupport::unsortTags(folder / "image.tif");
+    const auto warned = imageryDrape(folder / "image.tif", tile);
+    osg::setNotifyHandler(former);
+    ASSERT_TRUE(plain && warned);
+    EXPECT_EQ(toldOfPlain, "");
+    EXPECT_NE(told.find("image.tif: GDAL warns: "), std::string::npos) << told;
 }
 
 TEST(ImageryDrape, WithoutAGeoreferenceIsStretched)

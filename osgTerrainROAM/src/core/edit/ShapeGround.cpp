@@ -71,7 +71,8 @@ foundation::Result<EditReport> shapeGround(std::span<const std::filesystem::path
     {
         auto read = importEarthworks(source, tile->tile);
         if (!read) return read.error();
-        std::move(read->begin(), read->end(), std::back_inserter(works));
+        std::move(read->works.begin(), read->works.end(), std::back_inserter(works));
+        tile->tile.addNotes(read->notes);
     }
     return shapeGround(std::move(works), tile);
 }

@@ -95,11 +95,10 @@ private:
 
 } // namespace
 
-foundation::Result<std::vector<Earthwork>> importEarthworks(const std::filesystem::path& source,
-                                                            const PlacedTile& tile)
+foundation::Result<EarthworkSet> importEarthworks(const std::filesystem::path& source, const PlacedTile& tile)
 {
     WorkReader reader(tile);
-    const auto read = forEachFeature(
+    auto read = forEachFeature(
         source, tile,
         [&](OGRFeature& feature, OGRLayer& layer, OGRCoordinateTransformation* toWgs84) -> foundation::Outcome
         {
@@ -109,7 +108,7 @@ foundation::Result<std::vector<Earthwork>> importEarthworks(const std::filesyste
                                      "give its points a third coordinate, metres in the samples' datum"};
         });
     if (!read) return read.error();
-    return std::move(reader.works);
+    return EarthworkSet{std::move(reader.works), std::move(*read)};
 }
 
 } // namespace osgTerrainROAM::core

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -50,6 +53,14 @@ public:
     /// The field's name, size, spacings, georeference and reports. Its heights, mask and dense parts are in
     /// samples().
     const HeightField& field() const { return _field; }
+
+    /// Adds lines to the field's notes that are not there.
+    void addNotes(const std::vector<std::string>& lines)
+    {
+        for (const std::string& line : lines)
+            if (std::find(_field.notes.begin(), _field.notes.end(), line) == _field.notes.end())
+                _field.notes.push_back(line);
+    }
 
     /// Position of a grid point, 0 ≤ column, row < side. Cost: TileFrame::positionOf.
     glm::dvec3 position(int column, int row) const
