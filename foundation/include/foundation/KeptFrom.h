@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include <foundation/ContentMark.h>
 #include <foundation/KeptResults.h>
+#include <foundation/SoleFile.h>
 
 namespace foundation
 {
@@ -45,6 +47,16 @@ public:
     {
         if (!_results) return make();
         return _results->findOrMake(name, ContentMark(_mark).add(more.text()), read, make, write);
+    }
+
+    /// The same of what is read of a file, which counts with what lies beside it (markOfSoleFile()); a file
+    /// that has no mark is read each time. `more`: what the result follows from besides.
+    template<class Read, class Make, class Write>
+    auto findOrRead(std::string_view name, const std::filesystem::path& file, const ContentMark& more,
+                    const Read& read, const Make& make, const Write& write) const -> decltype(make())
+    {
+        auto mark = _results ? markOfSoleFile(file) : std::nullopt;
+        return mark ? findOrMake(name, mark->add(more.text()), read, make, write) : make();
     }
 
 private:

@@ -68,6 +68,27 @@ TEST(KeptFrom, FailuresAreNotKept)
     EXPECT_EQ(*kept.findOrMake("word", {}, same, fail, write), "made"); // found
 }
 
+TEST(KeptFrom, WhatIsReadOfAFileFollowsFromItsBytes)
+{
+    const testsupport::TestFolder folder("kept-from-file");
+    const KeptFrom kept(std::make_shared<const KeptResults>(folder / "made"), ContentMark());
+    int made = 0;
+    const auto ask = [&](const char* name, std::uint64_t more)
+    {
+        return kept.findOrRead(
+            "word", folder / name, ContentMark().addWord(more), same, [&] { return std::to_string(++made); },
+            [](const std::string& word) { return word; });
+    };
+    std::ofstream(folder / "a.gpkg") << "hills";
+    EXPECT_EQ(ask("a.gpkg", 1), "1");
+    EXPECT_EQ(ask("a.gpkg", 1), "1");
+    EXPECT_EQ(ask("a.gpkg", 2), "2");
+    std::ofstream(folder / "a.gpkg") << "plain";
+    EXPECT_EQ(ask("a.gpkg", 1), "3");
+    EXPECT_EQ(ask("none.gpkg", 1), "4") << "it has no mark, and is read each time";
+    EXPECT_EQ(ask("none.gpkg", 1), "5");
+}
+
 TEST(SoleFile, HasAMarkWhereNothingBesideItCounts)
 {
     const testsupport::TestFolder folder("sole-file");

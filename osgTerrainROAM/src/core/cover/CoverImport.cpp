@@ -8,7 +8,6 @@
 
 #include <foundation/ForEachAtOnce.h>
 #include <foundation/PlainBytes.h>
-#include <foundation/SoleFile.h>
 #include <gdal_priv.h>
 
 #include <osgTerrainROAM/core/cover/CoverImport.h>
@@ -186,12 +185,11 @@ std::optional<CoverMap> coverIn(std::string_view bytes)
 Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable& table,
                              const PlacedTile& tile, const foundation::KeptFrom& kept)
 {
-    auto mark = kept ? foundation::markOfSoleFile(file) : std::nullopt;
-    if (!mark) return readCover(file, table, tile);
+    foundation::ContentMark codes;
     for (const auto& [code, kind] : table)
-        mark->addWord(static_cast<std::uint64_t>(code)).addWord(static_cast<std::uint64_t>(kind));
-    return kept.findOrMake(
-        "cover", *mark, coverIn, [&] { return readCover(file, table, tile); },
+        codes.addWord(static_cast<std::uint64_t>(code)).addWord(static_cast<std::uint64_t>(kind));
+    return kept.findOrRead(
+        "cover", file, codes, coverIn, [&] { return readCover(file, table, tile); },
         [](const CoverMap& map) { return bytesOf(map); });
 }
 

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <memory>
 
-#include <foundation/SoleFile.h>
-
 #include <osgTerrainROAM/core/features/FeatureImport.h>
 
 #include "FeatureBytes.h"
@@ -164,10 +162,8 @@ Result<FeatureSet> readFeatures(const std::filesystem::path& source, const Place
 Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile,
                                   const foundation::KeptFrom& kept)
 {
-    const auto mark = kept ? foundation::markOfSoleFile(source) : std::nullopt;
-    if (!mark) return readFeatures(source, tile);
-    return kept.findOrMake(
-        "features", *mark, featuresIn, [&] { return readFeatures(source, tile); },
+    return kept.findOrRead(
+        "features", source, {}, featuresIn, [&] { return readFeatures(source, tile); },
         [](const FeatureSet& set) { return bytesOf(set); });
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
-#include <foundation/SoleFile.h>
-
 #include <osgTerrainROAM/core/features/ShapeImport.h>
 
 #include "FeatureTags.h"
@@ -158,10 +156,8 @@ foundation::Result<ShapeSet> readShapes(const std::filesystem::path& source, con
 foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile,
                                           const foundation::KeptFrom& kept)
 {
-    const auto mark = kept ? foundation::markOfSoleFile(source) : std::nullopt;
-    if (!mark) return readShapes(source, tile);
-    return kept.findOrMake(
-        "shapes", *mark, shapesIn, [&] { return readShapes(source, tile); },
+    return kept.findOrRead(
+        "shapes", source, {}, shapesIn, [&] { return readShapes(source, tile); },
         [](const ShapeSet& set) { return bytesOf(set); });
 }
 
