@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <functional>
 #include <set>
+
+#include <foundation/SmallLetters.h>
 
 namespace trainer
 {
@@ -19,8 +20,7 @@ using simulation::Vehicle;
 bool isOwn(const ScenarioObject& object)
 {
     static constexpr std::array kOwn{"ego", "ownship", "hero"};
-    std::string name = object.name;
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string name = foundation::inSmallLetters(object.name);
     return std::any_of(kOwn.begin(), kOwn.end(),
                        [&](const char* own) { return name.compare(0, std::string(own).size(), own) == 0; });
 }

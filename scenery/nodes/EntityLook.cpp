@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <vector>
+
+#include <foundation/SmallLetters.h>
 
 #include "scenery/models/entities/UsualSize.h"
 
@@ -33,9 +34,7 @@ std::string wordsOf(const simulation::ScenarioObject& object)
             if constexpr (requires { content.category; }) words += ' ' + content.name;
         },
         object.object);
-    std::transform(words.begin(), words.end(), words.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return words;
+    return foundation::inSmallLetters(words);
 }
 
 bool hasAny(const std::string& words, std::initializer_list<std::string_view> searched)

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include <foundation/SmallLetters.h>
 
 namespace simulation
 {
@@ -13,10 +14,7 @@ namespace
 
 std::string smallExtensionOf(const std::filesystem::path& file)
 {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return extension;
+    return foundation::inSmallLetters(file.extension().string());
 }
 
 } // namespace

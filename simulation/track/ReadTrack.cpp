@@ -2,7 +2,6 @@
 #include "simulation/track/ReadTrack.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include <foundation/ReadableFile.h>
+#include <foundation/SmallLetters.h>
 #include <foundation/Utf8.h>
 #include <zlib.h>
 
@@ -25,10 +25,7 @@ constexpr std::uintmax_t kMostTrackBytes = 256u << 20;
 
 std::string extensionOf(const std::filesystem::path& file)
 {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+    return foundation::inSmallLetters(file.extension().string());
 }
 
 /// Which file of a zip archive is looked at first: doc.kml, another KML file, another recording, text,

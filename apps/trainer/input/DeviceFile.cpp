@@ -7,6 +7,7 @@
 
 #include <foundation/Excerpt.h>
 #include <foundation/NearestWord.h>
+#include <foundation/SmallLetters.h>
 #include <foundation/WholeText.h>
 
 #include "input/Keys.h"
@@ -23,14 +24,6 @@ namespace
 constexpr std::uintmax_t kMostDeviceBytes = 1U << 20;
 constexpr std::size_t kMostParts = 10'000;
 constexpr double kMostAxis = 63.0, kMostButton = 255.0;
-
-std::string lower(std::string_view text)
-{
-    std::string low(text);
-    std::transform(low.begin(), low.end(), low.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return low;
-}
 
 /// The inputs of all vehicles, and both brakes together. Those of JSBSim have a '/' in them.
 std::vector<std::string_view> inputNames()
@@ -147,9 +140,10 @@ double inputOf(const DeviceAxis& axis, double place, double least, double most)
 
 const DeviceMap* mapFor(const std::vector<DeviceMap>& maps, std::string_view name)
 {
-    const std::string known = lower(name);
+    const std::string known = foundation::inSmallLetters(name);
     for (const DeviceMap& map : maps)
-        if (map.name == "*" || known.find(lower(map.name)) != std::string::npos) return &map;
+        if (map.name == "*" || known.find(foundation::inSmallLetters(map.name)) != std::string::npos)
+            return &map;
     return nullptr;
 }
 

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include <foundation/SmallLetters.h>
+
 #include <osgRoads/core/query/PaintedItem.h>
 
 namespace scenery::roads
@@ -83,16 +85,10 @@ const SignCode* find(std::span<const SignCode> codes, const std::string& code)
     return found == codes.end() ? nullptr : &*found;
 }
 
-std::string lower(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 const SignCode* codeOf(const osgRoads::core::Signal& signal)
 {
-    const std::string country = lower(signal.country), type = lower(signal.type);
+    const std::string country = foundation::inSmallLetters(signal.country),
+                      type = foundation::inSmallLetters(signal.type);
     if (country == "se" || country == "swe") return find(kSwedish, type + signal.subtype);
     if (country == "cn" || country == "chn") return find(kChinese, type);
     // A file without a code may have it in the name, as "de_274-50".
@@ -109,8 +105,8 @@ int speedOf(const osgRoads::core::Signal& signal)
     const double value = signal.value.value_or(0.0);
     if (value > 0.0)
     {
-        const bool isTens =
-            lower(signal.country) == "se" && value <= 12.0; // esmini numbers Sweden's C31 by tens
+        const bool isTens = foundation::inSmallLetters(signal.country) == "se" &&
+                            value <= 12.0; // esmini numbers Sweden's C31 by tens
         return static_cast<int>(std::lround(isTens ? 10.0 * value : value));
     }
     const int subtype = std::atoi(signal.subtype.c_str());

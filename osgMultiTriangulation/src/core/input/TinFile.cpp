@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cctype>
 #include <unordered_map>
 
 #include <foundation/MappedFile.h>
+#include <foundation/SmallLetters.h>
 #include <foundation/WholeText.h>
 
 #include <osgMultiTriangulation/core/input/TinFile.h>
@@ -21,9 +20,7 @@ constexpr std::uintmax_t kMostTinBytes = std::uintmax_t{4} << 30;
 
 std::string lowerExtensionOf(const std::filesystem::path& file)
 {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
+    return foundation::inSmallLetters(file.extension().string());
 }
 
 /// Hands on what it gets, and lets go of the pages of the file that was read now and then.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
+
+#include <foundation/SmallLetters.h>
 
 #include <osgRoads/core/query/PaintedItem.h>
 
@@ -11,13 +11,6 @@ namespace osgRoads::core
 
 namespace
 {
-
-std::string lower(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 bool has(const std::string& words, std::string_view part)
 {
@@ -42,7 +35,7 @@ std::optional<PaintKind> paintKind(const Signal& signal)
     if (signal.type == "294") return PaintKind::stopLine;
     if (signal.type == "297") return PaintKind::arrow;
     if (signal.type == "341") return PaintKind::yieldLine;
-    const std::string name = lower(signal.name);
+    const std::string name = foundation::inSmallLetters(signal.name);
     // Models of road marks of VIRES, as SgRMArrowLeft.flt.
     if (name.starts_with("sgrm")) return kindByWords(name);
     return {};
@@ -50,17 +43,18 @@ std::optional<PaintKind> paintKind(const Signal& signal)
 
 std::optional<PaintKind> paintKind(const RoadObject& object)
 {
-    const std::string type = lower(object.type);
+    const std::string type = foundation::inSmallLetters(object.type);
     if (type == "crosswalk") return PaintKind::crosswalk;
     if (type == "parkingspace") return PaintKind::parkingSpace;
     if (type == "patch") return PaintKind::patch;
     if (type != "roadmark") return {};
-    return kindByWords(lower(object.subtype + " " + object.name)).value_or(PaintKind::area);
+    return kindByWords(foundation::inSmallLetters(object.subtype + " " + object.name))
+        .value_or(PaintKind::area);
 }
 
 ArrowHeads arrowHeads(const RoadItem& item)
 {
-    const std::string words = lower(item.subtype + " " + item.name);
+    const std::string words = foundation::inSmallLetters(item.subtype + " " + item.name);
     ArrowHeads heads;
     if (has(words, "merge"))
     {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FeatureTags.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 
+#include <foundation/SmallLetters.h>
 #include <foundation/TagQuantity.h>
 
 namespace osgTerrainROAM::core
@@ -148,13 +147,6 @@ std::optional<FeatureStyle> found(const Table& table, const std::string& value)
     return std::nullopt;
 }
 
-std::string lower(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 std::optional<FeatureStyle> styleOfLayer(const std::string& layer)
 {
     static constexpr std::array<std::pair<const char*, const char*>, 12> kWords{{{"runway", "runway"},
@@ -183,11 +175,15 @@ std::optional<FeatureStyle> styleOfKind(const std::string& kind)
 
 std::optional<FeatureStyle> styleOfTags(const TagLookup& tag)
 {
-    if (const std::string value = lower(tag("aeroway")); !value.empty()) return found(aeroways(), value);
-    if (const std::string value = lower(tag("highway")); !value.empty()) return found(highways(), value);
-    if (const std::string value = lower(tag("waterway")); !value.empty()) return found(waterways(), value);
-    if (lower(tag("natural")) == "water") return river(20.0);
-    if (const std::string value = lower(tag("landuse")); !value.empty()) return found(landuses(), value);
+    if (const std::string value = foundation::inSmallLetters(tag("aeroway")); !value.empty())
+        return found(aeroways(), value);
+    if (const std::string value = foundation::inSmallLetters(tag("highway")); !value.empty())
+        return found(highways(), value);
+    if (const std::string value = foundation::inSmallLetters(tag("waterway")); !value.empty())
+        return found(waterways(), value);
+    if (foundation::inSmallLetters(tag("natural")) == "water") return river(20.0);
+    if (const std::string value = foundation::inSmallLetters(tag("landuse")); !value.empty())
+        return found(landuses(), value);
     return std::nullopt;
 }
 
@@ -217,12 +213,12 @@ void applyDetails(FeatureStyle& style, const TagLookup& tag)
         style.lanes = count;
     }
     if (const auto width = metresIn(tag("width"))) style.widthM = *width;
-    style.pavement = pavementOf(lower(tag("surface")), style.pavement);
+    style.pavement = pavementOf(foundation::inSmallLetters(tag("surface")), style.pavement);
     if (style.pavement != kAsphalt) style.marked = false;
-    const std::string marked = lower(tag("lane_markings"));
+    const std::string marked = foundation::inSmallLetters(tag("lane_markings"));
     if (!marked.empty()) style.marked = marked != "no";
     for (const char* name : {"kind", "crop"})
-        if (const auto crop = found(crops(), lower(tag(name))))
+        if (const auto crop = found(crops(), foundation::inSmallLetters(tag(name))))
         {
             style.crop = crop->crop;
             style.isCropKnown = true;
@@ -259,10 +255,10 @@ std::string unknownName(const TagLookup& tag)
 std::optional<FeatureStyle> featureStyle(const TagLookup& tag, const std::string& layer)
 {
     // "fclass" is the attribute's name in Geofabrik's extracts of OpenStreetMap.
-    const std::string kind = lower(tag("kind").empty() ? tag("fclass") : tag("kind"));
+    const std::string kind = foundation::inSmallLetters(tag("kind").empty() ? tag("fclass") : tag("kind"));
     std::optional<FeatureStyle> style = kind.empty() ? styleOfTags(tag) : styleOfKind(kind);
     // A tag of another meaning is stronger than the name of the layer.
-    if (!style && !hasAnyTag(tag)) style = styleOfLayer(lower(layer));
+    if (!style && !hasAnyTag(tag)) style = styleOfLayer(foundation::inSmallLetters(layer));
     if (style) applyDetails(*style, tag);
     return style;
 }

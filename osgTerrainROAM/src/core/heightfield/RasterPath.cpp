@@ -2,11 +2,11 @@
 #include "RasterPath.h"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>
+#include <foundation/SmallLetters.h>
 
 namespace osgTerrainROAM::core
 {
@@ -18,10 +18,7 @@ using foundation::Error;
 
 std::string lowerExtension(const std::filesystem::path& file)
 {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+    return foundation::inSmallLetters(file.extension().string());
 }
 
 /// Orders members of an archive: possible elevation formats before text, metadata and images.

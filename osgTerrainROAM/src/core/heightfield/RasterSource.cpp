@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
@@ -11,6 +10,7 @@
 
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
+#include <foundation/SmallLetters.h>
 #include <ogr_srs_api.h>
 
 #include "RasterPath.h"
@@ -53,9 +53,7 @@ constexpr std::array kOtherKinds = {
 
 std::optional<Error> otherKindOf(const std::filesystem::path& file)
 {
-    std::string name = file.filename().string();
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    const std::string name = foundation::inSmallLetters(file.filename().string());
     for (const OtherKind& kind : kOtherKinds)
         if (name.ends_with(kind.ending))
             return Error{file.string(), std::string(kind.what) + ", no raster of heights",

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include <foundation/SmallLetters.h>
+
 #include "VerticalSystem.h"
 
 namespace osgTerrainROAM::core
@@ -69,8 +71,7 @@ constexpr std::array kUnits = {
 /// a unit that is not known, whose axis does not say how long it is either.
 std::optional<double> metresPerUnit(const RasterSource& source, const VerticalSystem& vertical)
 {
-    std::string unit = GDALGetRasterUnitType(source.band());
-    std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string unit = foundation::inSmallLetters(GDALGetRasterUnitType(source.band()));
     const auto known =
         std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& each) { return each.name == unit; });
     if (known != kUnits.end() && !unit.empty()) return known->metres;

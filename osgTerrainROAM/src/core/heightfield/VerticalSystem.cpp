@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
+
+#include <foundation/SmallLetters.h>
 
 namespace osgTerrainROAM::core
 {
@@ -16,12 +17,6 @@ std::string attributeOf(OGRSpatialReferenceH crs, const char* node, int child)
 {
     const char* text = OSRGetAttrValue(crs, node, child);
     return text ? text : "";
-}
-
-std::string lower(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
 }
 
 bool hasOneOf(const std::string& text, std::initializer_list<std::string_view> words)
@@ -41,7 +36,8 @@ VerticalSystem verticalSystemOf(OGRSpatialReferenceH crs)
         return system;
     }
     system.name = attributeOf(crs, "VERT_CS", 0);
-    const std::string names = lower(system.name + " " + attributeOf(crs, "VERT_DATUM", 0));
+    const std::string names =
+        foundation::inSmallLetters(system.name + " " + attributeOf(crs, "VERT_DATUM", 0));
     constexpr const char* kEllipsoidalDatum = "2002"; // datum type of OGC 01-009
     system.isEllipsoidal =
         attributeOf(crs, "VERT_DATUM", 1) == kEllipsoidalDatum || hasOneOf(names, {"ellipsoid"});
