@@ -34,13 +34,30 @@ osg::ref_ptr<osg::Image> floatImage(int width, int height)
     return image;
 }
 
+/// Whether a cell lists a road with markings.
+bool listsMarkedRoad(const core::FeatureCells& cells, const core::FeatureCells::Cell& cell)
+{
+    constexpr float kMarked = 256.0F; // of a line's code
+    std::size_t record = cell.first;
+    for (std::uint32_t area = 0; area < cell.areas; ++area)
+        record += 2 + static_cast<std::size_t>(cells.records[record][0]);
+    for (std::uint32_t line = 0; line < cell.lines; ++line, record += 2)
+        if (cells.records[record + 1][2] >= kMarked) return true;
+    return false;
+}
+
+/// A half is added to the number of lines where a road among them has markings.
 osg::ref_ptr<osg::Image> cellImage(const core::FeatureCells& cells)
 {
     const osg::ref_ptr<osg::Image> image = floatImage(cells.columns, cells.rows);
     auto* out = reinterpret_cast<float*>(image->data());
     for (const core::FeatureCells::Cell& cell : cells.cells)
-        for (const std::uint32_t value : {cell.first, cell.areas, cell.lines, cell.strokes})
-            *out++ = static_cast<float>(value);
+    {
+        *out++ = static_cast<float>(cell.first);
+        *out++ = static_cast<float>(cell.areas);
+        *out++ = static_cast<float>(cell.lines) + (listsMarkedRoad(cells, cell) ? 0.5F : 0.0F);
+        *out++ = static_cast<float>(cell.strokes);
+    }
     return image;
 }
 

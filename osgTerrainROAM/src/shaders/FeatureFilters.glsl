@@ -5,7 +5,7 @@
 // of the two in the middle may be missing.
 // Source of the lists: Nehab and Hoppe, Random-access rendering of general vector graphics (2008), section 3.
 
-uniform sampler2D featureCells;     // per cell: first record; numbers of areas, lines, strokes
+uniform sampler2D featureCells;     // per cell: first record; numbers of areas, lines (and a half: a road has markings), strokes
 uniform sampler2D featureRecords;   // FeatureCells.h; 1024 in a row
 uniform ivec4 featureGrid;          // first cell, number of cells
 uniform float featureCellM;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the features under a pixel: Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position, metres; the
 // others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares. Pictures of low quality have the maps
-// alone, but for what a pilot has to see: runways with their marks and lamps, in the few cells that list them.
+// alone, but for what rules need: runways with their marks and lamps, and roads with markings, in the few cells that list them.
 
 // The list of a cell: its first record, numbers of areas, lines and strokes; zeros where there is none. `at`: from the cell's middle, metres.
 vec4 cellAt(vec2 place, out vec2 at)
@@ -13,6 +13,8 @@ vec4 cellAt(vec2 place, out vec2 at)
     return texelFetch(featureCells, index, 0);
 }
 
+bool listsMarkedRoad(vec4 list) { return fract(list.z) > 0.25; }
+
 Paint paintInCell(vec2 place, Footprint f)
 {
     Paint paint = kNoPaint;
@@ -22,6 +24,7 @@ Paint paintInCell(vec2 place, Footprint f)
     int record = int(list.x);
 #ifdef PICTURE_LOW
     for (int i = 0; i < int(list.y); ++i) record += 2 + int(featureRecord(record).x);
+    if (listsMarkedRoad(list)) paintLines(paint, record, int(list.z), at, f);
     record += 2 * int(list.z);
 #else
     if (list.y > 0.0) record = paintAreas(paint, record, int(list.y), at, f);
@@ -49,7 +52,8 @@ Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
     float far = max(smoothstep(96.0, 160.0, length1), smoothstep(0.5, 1.0, across / featureFarTexelM));
 #ifdef PICTURE_LOW
     vec2 at;
-    if (cellAt(place, at).w == 0.0) far = 1.0;
+    vec4 list = cellAt(place, at);
+    if (list.w == 0.0 && !listsMarkedRoad(list)) far = 1.0;
 #endif
     Footprint whole = Footprint(longer, shorter);
     Paint paint = kNoPaint;
@@ -66,6 +70,7 @@ Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
     Paint strokes = paint;
     paint = paintOfMaps(place, whole);
     paint.beds.w = mix(strokes.beds.w, paint.beds.w, far);
+    paint.beds.y = mix(max(strokes.beds.y, paint.beds.y), paint.beds.y, far);
     paint.marks.xw = mix(strokes.marks.xw, paint.marks.xw, far);
     // Where a texel is wider than a pixel the blended shares of crops are made steeper, so that fields have an edge.
     float blur = clamp(length1 / featureFarTexelM, 0.1, 1.0);

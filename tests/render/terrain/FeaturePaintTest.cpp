@@ -329,7 +329,46 @@ TEST(FeaturePaint, ARunwayHasItsMarksAtEveryQuality)
         EXPECT_GT(marks[0], 0.8 * high[0]) << "middle line, " << define;
         EXPECT_GT(marks[1], 0.8 * high[1]) << "threshold, " << define;
     }
-    const auto byMap = marksBesideAsphalt("PICTURE_LOW", "if (cellAt(place, at).w == 0.0)");
+    const auto byMap = marksBesideAsphalt("PICTURE_LOW", "if (list.w == 0.0 && !listsMarkedRoad(list))");
+    EXPECT_LT(byMap[0], 0.3 * high[0]) << "the control: by the maps alone there are none";
+    EXPECT_LT(byMap[1], 0.3 * high[1]);
+}
+
+/// How much brighter than asphalt the edge line and the middle line of a road are, in levels, from 12 m above
+/// its right lane.
+std::array<double, 2> linesBesideAsphalt(const std::string& define, const std::string& mutated = "")
+{
+    const auto terrain = plain({line(FeatureKind::road, 8.0, {20000.0, 19000.0}, {20000.0, 21000.0})});
+    if (!define.empty()) terrain->material()->stateSet()->setDefine(define);
+    if (!mutated.empty()) mutate(*terrain, mutated, "fract(list.z) > 1.0");
+    Camera camera(terrain);
+    const auto picture = camera.picture({20000.0, 20000.0, 12.0}, -kZenith, kNorthward);
+    const auto brightest = [&](double east)
+    {
+        double most = 0.0;
+        const osg::Vec2d low = camera.pixelOf({east - 0.2, 19996.0, 0.0}),
+                         high = camera.pixelOf({east + 0.2, 20004.0, 0.0});
+        for (int y = static_cast<int>(low.y()); y < static_cast<int>(high.y()); ++y)
+            for (int x = static_cast<int>(low.x()); x <= static_cast<int>(high.x()); ++x)
+                most = std::max(most, level(*picture, x, y));
+        return most;
+    };
+    const double asphalt = brightest(20001.2);
+    return {brightest(20003.69) - asphalt, brightest(20000.0) - asphalt};
+}
+
+TEST(FeaturePaint, ARoadHasItsLinesAtEveryQuality)
+{
+    const auto high = linesBesideAsphalt("");
+    EXPECT_GT(high[0], 40.0);
+    EXPECT_GT(high[1], 40.0);
+    for (const char* define : {"PICTURE_MEDIUM", "PICTURE_LOW"})
+    {
+        const auto lines = linesBesideAsphalt(define);
+        EXPECT_GT(lines[0], 0.8 * high[0]) << "edge line, " << define;
+        EXPECT_GT(lines[1], 0.8 * high[1]) << "middle line, " << define;
+    }
+    const auto byMap = linesBesideAsphalt("PICTURE_LOW", "fract(list.z) > 0.25");
     EXPECT_LT(byMap[0], 0.3 * high[0]) << "the control: by the maps alone there are none";
     EXPECT_LT(byMap[1], 0.3 * high[1]);
 }
