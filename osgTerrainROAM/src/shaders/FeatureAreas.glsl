@@ -23,16 +23,12 @@ vec2 rowsOf(vec4 head, vec4 rows, vec2 at, Footprint f)
 // trees. A wave that fades into level ground before a pixel is as wide as half of it.
 vec2 furrowsOf(vec4 head, vec4 rows, vec2 at, Footprint f)
 {
-#ifdef PICTURE_LOW
-    return vec2(0.0);
-#else
     vec2 across = vec2(-rows.y, rows.x);
     vec2 shape = head.z < 0.5 ? vec2(0.25, 0.22) : head.z < 1.5 ? vec2(0.75, 0.55) : vec2(0.25, 0.0); // period, steepest slope
     float shown = max(1.0 - 2.0 * widthAlong(f, across) / shape.x, 0.0);
     // Soil lies in the furrow: bare from 0 to four tenths of the period.
     float x = dot(at, across) + rows.z - 0.2 * shape.x;
     return across * (shape.y * shown * sin(6.2831853 * x / shape.x));
-#endif
 }
 
 void paintArea(inout Paint paint, vec4 head, vec4 rows, float signedEdge, float width, vec2 at, Footprint f)
