@@ -44,8 +44,8 @@ std::vector<Strip> sideOf(const StreetTraits& traits, const Side& side)
         const bool isEdge = side.lanes == 0 && i + 1 == side.sharedLanes;
         const MarkType between =
             traits.hasCentreMark || i + 1 < side.sharedLanes ? MarkType::broken : MarkType::none;
-        strips.push_back(
-            {LaneType::driving, i, traits.laneWidthM, isEdge ? edge : between, true, false, 0.0});
+        strips.push_back({LaneType::driving, i, traits.laneWidthM, isEdge ? edge : between, true,
+                          traits.isForBuses(), 0.0});
     }
     const auto isForBuses = [&](int lane)
     { return (side.busLanes >> static_cast<unsigned>(lane) & 1U) != 0; };

@@ -145,7 +145,7 @@ void setLanes(const Tags& tags, std::string_view kind, int usual, StreetTraits& 
     traits.sharedLanes = lanes.shared;
     traits.forwardBusLanes = lanes.forwardBus;
     traits.backwardBusLanes = lanes.backwardBus;
-    if (isBusway(tags))
+    if (traits.isForBuses())
     {
         traits.forwardBusLanes = outermostLanes(lanes.forward, lanes.forward);
         traits.backwardBusLanes = outermostLanes(lanes.backward, lanes.backward);

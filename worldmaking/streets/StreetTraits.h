@@ -43,6 +43,8 @@ struct StreetTraits
 
     /// Whether cars of both directions share all lanes.
     bool isSingleTrack() const { return sharedLanes > 0 && forwardLanes + backwardLanes == 0; }
+    /// Whether all of it is for buses alone.
+    bool isForBuses() const { return kind == "busway"; }
     /// The speeds of its lanes, where both directions differ: forward and backward.
     std::pair<double, double> laneKmh() const
     {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "worldmaking/streets/LaneLayout.h"
 #include "worldmaking/streets/SpeedTags.h"
 
 namespace
@@ -172,6 +173,9 @@ TEST(StreetTraits, ABuswayHasLanesForBusesAlone)
                  {{{"highway", "busway"}, {"oneway", "yes"}, {"lanes", "2"}}, 2, 0, 0, 2, 0},
                  {{{"highway", "busway"}, {"access", "no"}, {"bus", "designated"}}, 1, 1, 0, 1, 1}});
     EXPECT_FALSE(traitsOf({{"highway", "busway"}, {"bus", "no"}}));
+    const auto single = worldmaking::layoutOf(*traitsOf({{"highway", "busway"}, {"lanes", "1"}}));
+    ASSERT_EQ(single.right.size(), 1u);
+    EXPECT_TRUE(single.right[0].isForBuses) << "a single track, too";
     EXPECT_EQ(traitsOf({{"highway", "residential"}})->forwardBusLanes, 0U) << "the control";
 }
 
