@@ -14,6 +14,7 @@
 #include "worldmaking/earth/WaterWorks.h"
 #include "worldmaking/land/MapFile.h"
 #include "worldmaking/land/Waters.h"
+#include "worldmaking/streets/PathTags.h"
 #include "worldmaking/streets/StreetTraits.h"
 
 namespace worldmaking
@@ -52,8 +53,6 @@ constexpr std::array<CoverWord, 36> kCovers{
      {"natural", "beach", Cover::bare},          {"natural", "rock", Cover::bare}}};
 
 constexpr std::array<std::string_view, 5> kFields{"farmland", "meadow", "grass", "orchard", "vineyard"};
-constexpr std::array<std::string_view, 6> kPaths{"track",     "path",     "footway",
-                                                 "bridleway", "cycleway", "pedestrian"};
 constexpr std::array<std::string_view, 5> kRivers{"river", "stream", "canal", "ditch", "drain"};
 constexpr std::array<std::string_view, 4> kRails{"rail", "narrow_gauge", "light_rail", "tram"};
 
@@ -104,11 +103,12 @@ std::optional<Painted> paintedLine(const LandShape& shape, LandReport& report)
         if (const auto widthM = riverWidthM(shape)) made["width"] = std::to_string(*widthM);
         return Painted{GroundLayer::rivers, std::move(made)};
     }
-    if (const auto path = valueOf(tags, "highway");
-        (isOneOf(path, kPaths) || isClosedStreet(tags)) && !isSet(tags, "bridge"))
+    if (isFootway(tags) && !isSet(tags, "bridge"))
     {
         ++report.ways;
-        return Painted{GroundLayer::ways, withDetails(path, tags, {"width", "surface"})};
+        const auto path = valueOf(tags, "highway");
+        return Painted{GroundLayer::ways,
+                       withDetails(path == "steps" ? "footway" : path, tags, {"width", "surface"})};
     }
     if (const auto rail = valueOf(tags, "railway"); isOneOf(rail, kRails) && !isSet(tags, "bridge"))
     {

@@ -14,6 +14,7 @@
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/land/Waters.h"
 #include "worldmaking/streets/Overpass.h"
+#include "worldmaking/streets/PathTags.h"
 #include "worldmaking/streets/PlanPieces.h"
 
 namespace worldmaking
@@ -45,9 +46,7 @@ struct CrossedLine
 
 std::optional<CrossedLine> crossedLineOf(const Tags& tags)
 {
-    if (isOneWord(valueOf(tags, "highway"),
-                  {"path", "footway", "cycleway", "track", "bridleway", "pedestrian", "steps"}))
-        return CrossedLine{CrossedKind::path, widthOf(tags, 2.5)};
+    if (isFootway(tags)) return CrossedLine{CrossedKind::path, widthOf(tags, 2.5)};
     const std::string_view water = valueOf(tags, "waterway"), air = valueOf(tags, "aeroway");
     if (isOneWord(water, {"river", "canal"}))
         return CrossedLine{CrossedKind::water, widthOf(tags, 10.0), true};

@@ -19,6 +19,7 @@
 #include "worldmaking/land/Waters.h"
 #include "worldmaking/map/PlaceKey.h"
 #include "worldmaking/streets/LaneLayout.h"
+#include "worldmaking/streets/PathTags.h"
 #include "worldmaking/streets/PlanPieces.h"
 
 namespace worldmaking
@@ -453,14 +454,6 @@ private:
 };
 
 } // namespace
-
-bool isFootway(const Tags& tags)
-{
-    const std::string_view kind = valueOf(tags, "highway");
-    constexpr std::array<std::string_view, 7> kKinds{"path",      "footway", "cycleway",  "track",
-                                                     "bridleway", "steps",   "pedestrian"};
-    return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end() || isClosedStreet(tags);
-}
 
 Footbridges footbridgesOf(const FootbridgeSources& from)
 {

@@ -56,7 +56,4 @@ struct FootbridgeSources
 /// Cost: near-linear (a grid).
 Footbridges footbridgesOf(const FootbridgeSources& from);
 
-/// Whether a way is a path that may have a bridge.
-bool isFootway(const Tags& tags);
-
 } // namespace worldmaking

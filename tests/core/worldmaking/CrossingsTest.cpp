@@ -131,6 +131,24 @@ TEST(Crossings, ATunnelBelowNothingIsDugInAndLayerAloneGoesBelow)
     EXPECT_TRUE(made.faults().empty());
 }
 
+TEST(Crossings, ABridgeKeepsClearOfAStreetThatIsClosedToCars)
+{
+    const auto bridgeOver = [](const std::vector<std::pair<const char*, const char*>>& below)
+    {
+        MadeMap map;
+        map.way({map.node(-300, 0), map.node(300, 0)}, below);
+        const int b = map.node(0, -40), c = map.node(0, 40);
+        map.way({map.node(0, -400), b}, {{"highway", "secondary"}, {"name", "over"}});
+        map.way({b, c}, {{"highway", "secondary"}, {"bridge", "yes"}, {"layer", "1"}});
+        map.way({c, map.node(0, 400)}, {{"highway", "secondary"}});
+        return highestOf(crossingOf(map).road("over"));
+    };
+    const double path = bridgeOver({{"highway", "footway"}});
+    EXPECT_GT(path, 202.0);
+    EXPECT_NEAR(bridgeOver({{"highway", "service"}, {"motor_vehicle", "no"}}), path, 0.1);
+    EXPECT_LT(bridgeOver({{"barrier", "fence"}}), path - 1.0) << "the control: nothing to keep clear of";
+}
+
 TEST(Crossings, ARailwayBridgeRisesInItsGradeOverAStreetAndAPath)
 {
     MadeMap map;

@@ -111,6 +111,24 @@ TEST(LandUse, PaintsEachThingAndCountsTheOthers)
     EXPECT_EQ(read->shapes.size(), 4u);
 }
 
+TEST(LandUse, PaintsStepsAndStreetsThatAreClosedToCarsAsPaths)
+{
+    const TestFolder folder("land");
+    MadeMap map;
+    const auto add = [&](double northM, const std::vector<std::pair<const char*, const char*>>& tags) {
+        map.way({map.node(-50, northM), map.node(50, northM)}, tags);
+    };
+    add(0, {{"highway", "steps"}});
+    add(10, {{"highway", "footway"}});
+    add(20, {{"highway", "service"}, {"motor_vehicle", "no"}});
+    add(30, {{"highway", "service"}});
+    add(40, {{"highway", "steps"}, {"bridge", "yes"}});
+    LandReport report;
+    const auto land = readLand(folder.write("paths.osm", map.text()));
+    ASSERT_TRUE(land && writeGround(*land, {}, folder / "ground.gpkg", report));
+    EXPECT_EQ(report.ways, 3u) << "neither the street nor what is on a bridge";
+}
+
 TEST(CoverRaster, SmallerAreasLieAboveLargerOnes)
 {
     const TestFolder folder("land");
