@@ -241,9 +241,9 @@ foundation::Result<Report> check(const std::filesystem::path& world)
     const PlacedTile& tile = loaded->tile->tile;
     WorldThings things;
     things.roads = loaded->roads.placed.get();
-    things.groundM = [&](double eastM, double northM) -> std::optional<double>
+    things.groundM = [&](const glm::dvec2& place) -> std::optional<double>
     {
-        const auto ground = osgTerrainROAM::core::groundAt(tile, eastM, northM);
+        const auto ground = osgTerrainROAM::core::groundAt(tile, place.x, place.y);
         return ground ? std::optional(ground->position.z) : std::nullopt;
     };
     things.elevationM = [&](const glm::dvec2& place) -> std::optional<double>

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <foundation/Result.h>
 #include <glm/glm.hpp>
 
@@ -22,7 +23,7 @@ namespace worldtool
 struct EarthGround
 {
     /// by latitude and longitude, in the datum of the samples; nothing within 5 m of the data's edge
-    worldmaking::GroundOnEarth heightM;
+    foundation::HeightOnEarth heightM;
     worldmaking::MapBounds bounds;
     std::shared_ptr<const osgTerrainROAM::core::PlacedTile> tile;
     /// Where the ground is in the scene that shows the data: metres east and north of their middle, and up.

@@ -154,7 +154,7 @@ foundation::Outcome WorldMaker::makeEarth()
         worldmaking::MapPlane::create(worldmaking::planeAbout(_source.land), mapNameOf(_source.request));
     if (!made) return made.error();
     const auto plane = std::make_shared<const worldmaking::MapPlane>(*made);
-    const worldmaking::PlanHeight ground = [&](const glm::dvec2& plan) -> std::optional<double>
+    const foundation::HeightInPlan ground = [&](const glm::dvec2& plan) -> std::optional<double>
     {
         const auto place = plane->toDegrees(plan);
         return place ? _ground(place->y, place->x) : std::nullopt;
@@ -181,7 +181,7 @@ foundation::Outcome WorldMaker::makeEarth()
 /// Streets, houses and woods follow the ground that the works have shaped.
 void WorldMaker::shapeGround()
 {
-    const worldmaking::PlanHeight ground = [&](const glm::dvec2& plan) -> std::optional<double>
+    const foundation::HeightInPlan ground = [&](const glm::dvec2& plan) -> std::optional<double>
     {
         const auto place = _earthPlane->toDegrees(plan);
         return place ? _ground(place->y, place->x) : std::nullopt;
@@ -308,7 +308,7 @@ foundation::Outcome WorldMaker::makeHouses(const worldmaking::MapPlane& plane,
 void WorldMaker::fillCover(worldmaking::CoverRaster& cover, const worldmaking::MapPlane& plane,
                            const worldmaking::RoadRoom& room, worldmaking::LandReport& land) const
 {
-    const worldmaking::PlanHeight height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
+    const foundation::HeightInPlan height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
     const auto middle = plane.toDegrees({0.0, 0.0});
     const std::size_t before = cover.count(worldmaking::Cover::trees);
     if (_source.coverAt)
@@ -336,7 +336,7 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
         0;
     auto cover = worldmaking::coverRasterOf(_land, plane, limitIn(plane), land);
     _hasCover = land.coverAreas > 0;
-    const worldmaking::PlanHeight height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
+    const foundation::HeightInPlan height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
     _hasCover = _hasCover || _source.coverAt;
     if (_hasCover) fillCover(cover, plane, room, land);
     if (_hasCover)

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include <foundation/Heights.h>
 #include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/edit/Earthworks.h>
@@ -65,7 +66,7 @@ class WorldMaker
 {
 public:
     /// `progress`: that of the build; it must outlive the maker.
-    WorldMaker(const WorldSource& source, const worldmaking::GroundOnEarth& ground, BuildState state,
+    WorldMaker(const WorldSource& source, const foundation::HeightOnEarth& ground, BuildState state,
                terminal::Progress& progress)
         : _source(source), _ground(ground), _state(std::move(state)), _progress(progress)
     {
@@ -108,12 +109,12 @@ private:
     std::string describe() const;
 
     WorldSource _source;
-    const worldmaking::GroundOnEarth& _ground;
+    const foundation::HeightOnEarth& _ground;
     BuildState _state;
     void begin(const BuildStep& step) { _progress.begin(step.name, step.share); }
 
     terminal::Progress& _progress;
-    worldmaking::GroundOnEarth _shaped;                       ///< with its earthworks
+    foundation::HeightOnEarth _shaped;                        ///< with its earthworks
     worldmaking::LandMap _land;                               ///< with its waters cut to their level
     std::vector<osgTerrainROAM::core::Earthwork> _waterWorks; ///< their paths in degrees
     std::vector<worldmaking::House> _houses;

@@ -32,12 +32,7 @@ std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(const SceneTerrain& terrain,
         hiders.add(part.hiders);
     if (more) hiders.add(*more);
     if (hiders.bodies.empty() && hiders.walls.empty()) return nullptr;
-    auto heightM = [ground = terrain.ground()](double eastM, double northM) -> std::optional<double>
-    {
-        const auto sample = ground(eastM, northM);
-        return sample ? std::optional(sample->heightM) : std::nullopt;
-    };
-    return std::make_unique<scenery::SkyShadeNode>(std::move(hiders), std::move(heightM));
+    return std::make_unique<scenery::SkyShadeNode>(std::move(hiders), terrain.ground().heights());
 }
 
 } // namespace trainer

@@ -97,7 +97,7 @@ scenery::SceneryField fieldOf(const scenery::SceneryObject& object, std::size_t 
 class Objects
 {
 public:
-    explicit Objects(const HeightOfGround& ground) : _ground(ground)
+    explicit Objects(const foundation::HeightInPlan& ground) : _ground(ground)
     {
         _description.budget.budget = kBudgetTriangles;
     }
@@ -127,7 +127,7 @@ private:
     bool stand(const MapShape& shape)
     {
         const auto kind = kindOf(shape);
-        const auto heightM = kind ? _ground(shape.point.x, shape.point.y) : std::nullopt;
+        const auto heightM = kind ? _ground(glm::dvec2(shape.point)) : std::nullopt;
         if (!heightM) return false;
         scenery::models::Dice dice(static_cast<std::uint64_t>(shape.id));
         const double bearing = numberIn(shape, "heading", dice.between(0.0, 360.0));
@@ -149,7 +149,7 @@ private:
         return static_cast<std::uint32_t>(number);
     }
 
-    const HeightOfGround& _ground;
+    const foundation::HeightInPlan& _ground;
     scenery::SceneryDescription _description; ///< a field for each model
     scenery::PlacedScenery _placed;
 };
@@ -175,8 +175,9 @@ scenery::SkyHiders wallsOf(const std::vector<scenery::StandingBuilding>& buildin
 }
 
 foundation::Outcome addBuildings(const std::filesystem::path& source,
-                                 const osgTerrainROAM::core::RoamTile& tile, const HeightOfGround& ground,
-                                 const scenery::NearestStreet& street, MapScenery& map)
+                                 const osgTerrainROAM::core::RoamTile& tile,
+                                 const foundation::HeightInPlan& ground, const scenery::NearestStreet& street,
+                                 MapScenery& map)
 {
     const auto shapes = readShapes(source, tile);
     if (!shapes) return shapes.error();
@@ -195,7 +196,7 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
 
 foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFile& description,
                                               const osgTerrainROAM::core::RoamTile& tile,
-                                              const HeightOfGround& ground,
+                                              const foundation::HeightInPlan& ground,
                                               const osgRoads::core::PlacedNetwork* roads)
 {
     MapScenery map;

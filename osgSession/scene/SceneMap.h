@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <foundation/Result.h>
 
 #include <osgRoads/core/place/PlacedNetwork.h>
@@ -16,9 +17,6 @@
 
 namespace trainer
 {
-
-/// Returns the height of the ground in the scene's z; nothing beyond the data.
-using HeightOfGround = std::function<std::optional<double>(double eastM, double northM)>;
 
 /// What stands on a ground by a map.
 struct MapScenery
@@ -33,7 +31,7 @@ struct MapScenery
 /// Threads: any, as long as nobody changes the tile: nothing is written but what is returned.
 foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFile& description,
                                               const osgTerrainROAM::core::RoamTile& tile,
-                                              const HeightOfGround& ground,
+                                              const foundation::HeightInPlan& ground,
                                               const osgRoads::core::PlacedNetwork* roads);
 
 } // namespace trainer

@@ -46,13 +46,9 @@ const double kRibbonsFromM = 0.8 * osgRoads::core::RoadViewSettings().farthestM;
 constexpr double kStripSpacingM = 5.0; ///< between the samples of a strip
 
 /// The height of the bare ground of a tile, which must outlive it.
-HeightOfGround bareGround(const RoamTile& tile)
+foundation::HeightInPlan bareGround(const RoamTile& tile)
 {
-    return [query = ground::groundOf(tile.tile)](double x, double y) -> std::optional<double>
-    {
-        const auto sample = query(x, y);
-        return sample ? std::optional(sample->heightM) : std::nullopt;
-    };
+    return ground::groundOf(tile.tile).heights();
 }
 
 /// The drawn surface of roads, and what stands beside and over them: signs, lights, posts, rails, bridges and

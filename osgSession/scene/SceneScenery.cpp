@@ -72,11 +72,7 @@ foundation::Result<SceneryDescription> descriptionOf(const SceneryRequest& reque
 scenery::Ground groundOf(const SceneTerrain& terrain)
 {
     scenery::Ground ground;
-    ground.heightM = [query = terrain.ground()](double eastM, double northM) -> std::optional<double>
-    {
-        const auto sample = query(eastM, northM);
-        return sample ? std::optional(sample->heightM) : std::nullopt;
-    };
+    ground.heightM = terrain.ground().heights();
     ground.elevationM = [tile = terrain.terrain->tile()](double eastM, double northM, double heightM) {
         return tile->tile.frame().heightOf({eastM, northM, heightM});
     };

@@ -64,7 +64,7 @@ glm::dvec2 directionOf(const StripRequest& strip)
 }
 
 /// The approach lights of both ends of a runway.
-void addPapis(const SceneRunway& runway, const scenery::GroundHeight& ground,
+void addPapis(const SceneRunway& runway, const foundation::HeightInPlan& ground,
               std::vector<scenery::PapiUnit>& papis)
 {
     const StripRequest& strip = runway.strip;
@@ -75,19 +75,15 @@ void addPapis(const SceneRunway& runway, const scenery::GroundHeight& ground,
         const glm::dvec2 threshold = strip.threshold + (way > 0.0 ? 0.0 : strip.lengthM) * along;
         for (scenery::PapiUnit unit : scenery::papiUnits(threshold, way * along, strip.lengthM, strip.widthM))
         {
-            unit.place.z = ground(unit.place.x, unit.place.y).value_or(0.0);
+            unit.place.z = ground(glm::dvec2(unit.place)).value_or(0.0);
             papis.push_back(unit);
         }
     }
 }
 
-scenery::GroundHeight groundOf(const osgTerrainROAM::core::PlacedTile& tile)
+foundation::HeightInPlan groundOf(const osgTerrainROAM::core::PlacedTile& tile)
 {
-    return [query = ground::groundOf(tile)](double eastM, double northM) -> std::optional<double>
-    {
-        const auto sample = query(eastM, northM);
-        return sample ? std::optional(sample->heightM) : std::nullopt;
-    };
+    return ground::groundOf(tile).heights();
 }
 
 /// Cuts the ground open where railways and roads enter tunnels.
@@ -130,13 +126,13 @@ foundation::Outcome addStructures(const MadeStructures& made, SceneTerrain& scen
 {
     for (const std::string& note : made.notes)
         OSG_NOTICE << note << '\n';
-    const scenery::GroundHeight ground = groundOf(scene.terrain->tile()->tile);
+    const foundation::HeightInPlan ground = groundOf(scene.terrain->tile()->tile);
     std::vector<scenery::PapiUnit> papis;
     for (const SceneRunway& runway : scene.runways)
         addPapis(runway, ground, papis);
     std::vector<glm::dvec3> socks;
     for (const glm::dvec2& place : made.windsocks)
-        if (const auto height = ground(place.x, place.y)) socks.emplace_back(place, *height);
+        if (const auto height = ground(place)) socks.emplace_back(place, *height);
     if (!made.node && papis.empty() && socks.empty()) return foundation::success();
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);

@@ -53,7 +53,7 @@ double floorOf(const StandingBuilding& standing, const GroundSpan& span, bool is
 }
 
 /// Puts a building on the ground, and returns what lies below it; nothing: some of it lies beyond.
-std::optional<GroundSpan> stand(StandingBuilding& standing, const GroundHeight& ground,
+std::optional<GroundSpan> stand(StandingBuilding& standing, const foundation::HeightInPlan& ground,
                                 const NearestStreet& street)
 {
     const Building& building = standing.building;
@@ -63,7 +63,7 @@ std::optional<GroundSpan> stand(StandingBuilding& standing, const GroundHeight& 
     {
         standing.groundM.emplace_back();
         for (const glm::dvec2& corner : ring)
-            standing.groundM.back().push_back(ground(corner.x, corner.y).value_or(span->lowM));
+            standing.groundM.back().push_back(ground(corner).value_or(span->lowM));
     }
     standing.doorEdge = doorEdgeOf(building.rings.front(), span->lowM, street);
     standing.floorM = floorOf(standing, *span, static_cast<bool>(street));
@@ -98,12 +98,12 @@ void shareFloor(const StandingParts& parts, std::vector<StandingBuilding>& build
 } // namespace
 
 std::optional<GroundSpan> groundUnder(const std::vector<std::vector<glm::dvec2>>& rings,
-                                      const GroundHeight& ground)
+                                      const foundation::HeightInPlan& ground)
 {
     GroundSpan span{1e300, -1e300};
     const auto look = [&](const glm::dvec2& place)
     {
-        const auto heightM = ground(place.x, place.y);
+        const auto heightM = ground(place);
         if (!heightM) return false;
         span.lowM = std::min(span.lowM, *heightM);
         span.highM = std::max(span.highM, *heightM);
@@ -121,8 +121,8 @@ std::optional<GroundSpan> groundUnder(const std::vector<std::vector<glm::dvec2>>
     return span;
 }
 
-StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground,
-                                 const NearestStreet& street)
+StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes,
+                                 const foundation::HeightInPlan& ground, const NearestStreet& street)
 {
     StandingBuildings standing;
     std::map<std::string, StandingParts, std::less<>> wholes;

@@ -6,15 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include <osgTerrainROAM/core/features/ShapeImport.h>
 
 #include "scenery/buildings/Building.h"
 
 namespace scenery
 {
-
-/// Returns the height of the ground in the scene's z; nothing beyond the data.
-using GroundHeight = std::function<std::optional<double>(double eastM, double northM)>;
 
 /// Returns the nearest place of a street in the plan from a place on the ground; nothing where none is near.
 using NearestStreet = std::function<std::optional<glm::dvec2>(const glm::dvec3& place)>;
@@ -31,8 +30,8 @@ struct StandingBuildings
 /// higher where more than kMostSunkM of a wall would lie in the ground, but not by so much that walls show
 /// below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and half
 /// a metre into it. Parts of one building (kWholeTag) have one floor, that of the largest on the ground.
-StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground,
-                                 const NearestStreet& street = {});
+StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes,
+                                 const foundation::HeightInPlan& ground, const NearestStreet& street = {});
 
 /// The lowest and the highest ground under an outline, at its corners and each metre along its edges.
 struct GroundSpan
@@ -40,7 +39,7 @@ struct GroundSpan
     double lowM = 0.0, highM = 0.0;
 };
 std::optional<GroundSpan> groundUnder(const std::vector<std::vector<glm::dvec2>>& rings,
-                                      const GroundHeight& ground);
+                                      const foundation::HeightInPlan& ground);
 
 /// The tag of a part that names the building which it is a part of.
 inline constexpr std::string_view kWholeTag = "part_of";

@@ -40,7 +40,7 @@ osg::ref_ptr<osg::Program> makeSkyShadeProgram()
     return makeDarkeningProgram("sky shade", shaders::kSkyShadeMain);
 }
 
-SkyShadeNode::SkyShadeNode(SkyHiders hiders, SkyShadeGround ground)
+SkyShadeNode::SkyShadeNode(SkyHiders hiders, foundation::HeightInPlan ground)
     : _hiders(std::move(hiders)),
       _ground(std::move(ground)),
       _geometry(new osg::Geometry),

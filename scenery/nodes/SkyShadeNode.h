@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include <osg/Geometry>
 #include <osg/MatrixTransform>
 
@@ -22,7 +24,7 @@ class SkyShadeNode
 public:
     static constexpr double kReachM = 80.0; ///< they fade out over its last two fifths
 
-    SkyShadeNode(SkyHiders hiders, SkyShadeGround ground);
+    SkyShadeNode(SkyHiders hiders, foundation::HeightInPlan ground);
 
     osg::Node* node() const { return _placed.get(); }
 
@@ -42,7 +44,7 @@ private:
     void gather(const glm::dvec3& eye);
 
     SkyHiders _hiders;
-    SkyShadeGround _ground;
+    foundation::HeightInPlan _ground;
     std::map<Cell, std::vector<std::size_t>> _inCell; ///< bodies, then walls by their middle
     std::map<std::size_t, SkyShadePatch> _patches;    ///< of what is near
     std::optional<Cell> _eye;

@@ -15,14 +15,14 @@ namespace
 class Rows
 {
 public:
-    Rows(const SkyShadeGround& ground, std::size_t columns, bool isRound)
+    Rows(const foundation::HeightInPlan& ground, std::size_t columns, bool isRound)
         : _ground(ground), _columns(columns), _isRound(isRound)
     {
     }
 
     void add(const glm::dvec2& place, double hidden)
     {
-        const auto heightM = _ground(place.x, place.y);
+        const auto heightM = _ground(place);
         _isKnown = _isKnown && heightM.has_value();
         _patch.corners.push_back({{place, heightM.value_or(0.0)}, static_cast<float>(hidden)});
     }
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    const SkyShadeGround& _ground;
+    const foundation::HeightInPlan& _ground;
     std::size_t _columns;
     bool _isRound;
     bool _isKnown = true;
@@ -52,7 +52,7 @@ private:
 
 } // namespace
 
-SkyShadePatch patchBelow(const SkyHider& hider, const SkyShadeGround& ground)
+SkyShadePatch patchBelow(const SkyHider& hider, const foundation::HeightInPlan& ground)
 {
     constexpr int kTurns = 12;
     const double radiusM = std::sqrt(hider.halfM.x * hider.halfM.y);
@@ -72,7 +72,7 @@ SkyShadePatch patchBelow(const SkyHider& hider, const SkyShadeGround& ground)
     return rows.finish();
 }
 
-SkyShadePatch patchBefore(const SkyWall& wall, const SkyShadeGround& ground)
+SkyShadePatch patchBefore(const SkyWall& wall, const foundation::HeightInPlan& ground)
 {
     constexpr double kEndM = 2.0, kColumnM = 4.0;
     const double lengthM = glm::length(wall.to - wall.from);

@@ -6,15 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <glm/glm.hpp>
 
 #include "scenery/placement/SkyHiders.h"
 
 namespace scenery
 {
-
-/// Returns the height of the ground, roads included, in the scene's z; nothing beyond the data.
-using SkyShadeGround = std::function<std::optional<double>(double eastM, double northM)>;
 
 /// A patch of ground that sees less of the sky. Frame: the scene's; metres.
 struct SkyShadePatch
@@ -30,7 +28,7 @@ struct SkyShadePatch
 
 /// Lays a patch below a body, or before a wall, on the ground. Where the ground is not known the patch is
 /// empty. Cost: a question to the ground for each corner, 85 below a body and some 30 before a wall.
-SkyShadePatch patchBelow(const SkyHider& hider, const SkyShadeGround& ground);
-SkyShadePatch patchBefore(const SkyWall& wall, const SkyShadeGround& ground);
+SkyShadePatch patchBelow(const SkyHider& hider, const foundation::HeightInPlan& ground);
+SkyShadePatch patchBefore(const SkyWall& wall, const foundation::HeightInPlan& ground);
 
 } // namespace scenery

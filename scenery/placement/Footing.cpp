@@ -23,7 +23,7 @@ glm::dvec2 turned(glm::dvec2 place, double headingRad)
 
 std::optional<double> heightAt(const Ground& ground, glm::dvec2 place)
 {
-    return ground.heightM(place.x, place.y);
+    return ground.heightM(place);
 }
 
 /// Slopes east and north by differences, over at least kLeastArmM.

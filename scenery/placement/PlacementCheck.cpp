@@ -94,7 +94,7 @@ public:
         for (const glm::dvec2& at : basePlaces(finer, 2.0 * p.scale)) // twice the size: twice as many places
         {
             const glm::dvec3 rim = p.position + p.axes * glm::dvec3(0.5 * at, 0.0);
-            const auto height = _ground.heightM(rim.x, rim.y);
+            const auto height = _ground.heightM(rim);
             if (!height) return nameOf(i) + " stands beyond the ground";
             if (*height < rim.z - reach - kSlackM) return nameOf(i) + " floats";
             if (*height > rim.z + most * p.scale + kSlackM) return nameOf(i) + " is buried";

@@ -35,7 +35,7 @@ public:
     const Box& box() const { return _box; }
     glm::dvec2 anyPlace();
     bool isInArea(glm::dvec2 place) const;
-    std::optional<double> heightM(glm::dvec2 place) const { return _ground.heightM(place.x, place.y); }
+    std::optional<double> heightM(glm::dvec2 place) const { return _ground.heightM(place); }
 
     /// Draws a random object of the field, and a random scale.
     std::uint32_t anyObject();

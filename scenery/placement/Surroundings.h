@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <glm/vec2.hpp>
 
 namespace scenery
@@ -16,7 +17,7 @@ namespace scenery
 /// Frame: the scene's east-north-up. Units: metres.
 struct Ground
 {
-    std::function<std::optional<double>(double eastM, double northM)> heightM; ///< nothing beyond the data
+    foundation::HeightInPlan heightM; ///< nothing beyond the data
     /// Returns the elevation above sea level of a point on the ground, which rules of height and water test.
     /// Empty: the height itself.
     std::function<double(double eastM, double northM, double heightM)> elevationM;

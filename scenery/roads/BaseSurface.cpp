@@ -56,7 +56,8 @@ void smooth(std::vector<float>& values, int columns, int rows, double sigmaCells
 
 } // namespace
 
-BaseSurface::BaseSurface(const glm::dvec2& low, const glm::dvec2& high, const Ground& ground)
+BaseSurface::BaseSurface(const glm::dvec2& low, const glm::dvec2& high,
+                         const foundation::HeightInPlan& ground)
 {
     const double marginM = 4.0 * kSigmaM;
     const glm::dvec2 extentM = high - low + 2.0 * marginM;

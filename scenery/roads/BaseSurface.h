@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <glm/glm.hpp>
 
 namespace scenery
@@ -21,11 +22,8 @@ class BaseSurface
 public:
     static constexpr double kSigmaM = 100.0, kCellM = 40.0;
 
-    /// Returns the ground's height at a place of the plan; nothing beyond the data.
-    using Ground = std::function<std::optional<double>(const glm::dvec2& plan)>;
-
     /// Covers the box from `low` to `high`; beyond the data heights are those of the nearest data.
-    BaseSurface(const glm::dvec2& low, const glm::dvec2& high, const Ground& ground);
+    BaseSurface(const glm::dvec2& low, const glm::dvec2& high, const foundation::HeightInPlan& ground);
 
     double heightM(const glm::dvec2& plan) const;
 

@@ -86,7 +86,7 @@ foundation::Result<PlanMap> mapOf(const RoadsRequest& request, const RoadNetwork
 }
 
 /// The tile's ground below a place of the plan.
-BaseSurface::Ground groundUnder(const PlanMap& map, const PlacedTile& tile)
+foundation::HeightInPlan groundUnder(const PlanMap& map, const PlacedTile& tile)
 {
     return [&](const glm::dvec2& plan) -> std::optional<double>
     {

@@ -17,7 +17,7 @@ constexpr double kLeastPierM = 1.5, kFootingM = 0.8;
 class FootbridgeMaker
 {
 public:
-    FootbridgeMaker(const Structure& bridge, const GroundHeight& ground, SquareBeams& beams)
+    FootbridgeMaker(const Structure& bridge, const foundation::HeightInPlan& ground, SquareBeams& beams)
         : _bridge(bridge), _ground(ground), _beams(beams)
     {
     }
@@ -48,7 +48,7 @@ private:
     {
         const double deckM = place.z - kFootDeckM;
         if (_bridge.kind == StructureKind::footbridge) return deckM;
-        return std::min(deckM, _ground(place.x, place.y).value_or(deckM) - kFootingM);
+        return std::min(deckM, _ground(place).value_or(deckM) - kFootingM);
     }
 
     void addDeck(const glm::dvec3& from, const glm::dvec3& to)
@@ -83,7 +83,7 @@ private:
 
     void addPier(const glm::dvec3& top, const glm::dvec3& way)
     {
-        const auto groundM = _ground(top.x, top.y);
+        const auto groundM = _ground(glm::dvec2(top));
         if (!groundM || top.z - kFootDeckM - *groundM < kLeastPierM) return;
         const double footM = *groundM - kFootingM, highM = top.z - 0.9 * kFootDeckM;
         SquareBeams::in(_beams.at(top), &StructureSquare::low, kFootConcrete)
@@ -92,13 +92,13 @@ private:
     }
 
     const Structure& _bridge;
-    const GroundHeight& _ground;
+    const foundation::HeightInPlan& _ground;
     SquareBeams& _beams;
 };
 
 } // namespace
 
-void addFootbridge(const Structure& bridge, const GroundHeight& ground, SquareBeams& beams)
+void addFootbridge(const Structure& bridge, const foundation::HeightInPlan& ground, SquareBeams& beams)
 {
     if (bridge.heightsM.size() == bridge.line.size()) FootbridgeMaker(bridge, ground, beams).add();
 }

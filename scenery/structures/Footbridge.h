@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <foundation/Heights.h>
+
 #include "scenery/buildings/StandBuildings.h"
 #include "scenery/structures/SquareBeams.h"
 #include "scenery/structures/Structure.h"
@@ -10,7 +12,7 @@ namespace scenery
 
 /// Adds the deck of a footbridge with its railings and piers, or a ramp, which is solid down to the ground.
 /// Frame: the scene's. Needs heights.
-void addFootbridge(const Structure& bridge, const GroundHeight& ground, SquareBeams& beams);
+void addFootbridge(const Structure& bridge, const foundation::HeightInPlan& ground, SquareBeams& beams);
 
 inline constexpr double kFootDeckM = 0.5; ///< below the surface of a footbridge
 

@@ -37,12 +37,12 @@ std::vector<glm::dvec2> placesOf(const Structure& line)
 
 /// By how much the lowest wire of a span comes too near to the ground.
 double deficitM(const Support& a, const Support& b, const std::vector<WirePlace>& wires, double aM,
-                const GroundHeight& ground)
+                const foundation::HeightInPlan& ground)
 {
     double deficit = 0.0;
     for (const WirePlace& wire : wires)
         for (const glm::dvec3& point : catenary(wireAt(a, wire), wireAt(b, wire), aM, 24))
-            if (const auto height = ground(point.x, point.y))
+            if (const auto height = ground(point))
                 deficit = std::max(deficit, *height + kClearanceM - point.z);
     return deficit;
 }
@@ -65,13 +65,13 @@ glm::dvec3 wireAt(const Support& support, const WirePlace& wire)
                                      wire.share * support.heightM);
 }
 
-std::vector<Support> supportsOf(const Structure& line, const GroundHeight& ground)
+std::vector<Support> supportsOf(const Structure& line, const foundation::HeightInPlan& ground)
 {
     const auto places = placesOf(line);
     std::vector<Support> supports;
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-        const auto height = ground(places[i].x, places[i].y);
+        const auto height = ground(places[i]);
         if (!height) return {};
         const glm::dvec2 before = i > 0 ? places[i] - places[i - 1] : glm::dvec2(0.0);
         const glm::dvec2 after = i + 1 < places.size() ? places[i + 1] - places[i] : glm::dvec2(0.0);

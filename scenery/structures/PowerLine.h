@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include "scenery/structures/Structure.h"
 
 namespace scenery
@@ -26,7 +28,7 @@ struct WirePlace
 /// The supports of a line: one at each of its points, more where a span would be longer than usual; as high
 /// as its structure says, or higher where wires would come nearer to the ground than kClearanceM. Nothing: a
 /// support has no ground.
-std::vector<Support> supportsOf(const Structure& line, const GroundHeight& ground);
+std::vector<Support> supportsOf(const Structure& line, const foundation::HeightInPlan& ground);
 
 /// The wires of a kind of line.
 const std::vector<WirePlace>& wiresOf(StructureKind kind);

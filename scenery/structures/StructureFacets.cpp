@@ -41,7 +41,8 @@ struct LinePlace
 class StructureMaker
 {
 public:
-    StructureMaker(StructureSquares& squares, const GroundHeight& ground) : _beams(squares), _ground(ground)
+    StructureMaker(StructureSquares& squares, const foundation::HeightInPlan& ground)
+        : _beams(squares), _ground(ground)
     {
     }
 
@@ -87,7 +88,7 @@ private:
             for (int step = places.empty() ? 0 : 1; step <= steps; ++step)
             {
                 const glm::dvec2 place = glm::mix(line[i], line[i + 1], static_cast<double>(step) / steps);
-                const auto height = _ground(place.x, place.y);
+                const auto height = _ground(place);
                 if (!height) return {};
                 places.push_back({{place, *height}, (line[i + 1] - line[i]) / lengthM});
             }
@@ -227,7 +228,7 @@ private:
     bool addTurbine(const Structure& turbine)
     {
         const glm::dvec2 place = turbine.line.front();
-        const auto height = _ground(place.x, place.y);
+        const auto height = _ground(place);
         if (!height) return false;
         const double hubM = turbine.heightM, bladeM = 0.46 * hubM;
         models::Dice dice(turbine.id);
@@ -342,13 +343,13 @@ private:
     }
 
     SquareBeams _beams;
-    const GroundHeight& _ground;
+    const foundation::HeightInPlan& _ground;
 };
 
 } // namespace
 
-StructureSquares structureFacets(std::span<const Structure> structures, const GroundHeight& ground,
-                                 std::size_t& beyondGround)
+StructureSquares structureFacets(std::span<const Structure> structures,
+                                 const foundation::HeightInPlan& ground, std::size_t& beyondGround)
 {
     StructureSquares squares;
     StructureMaker maker(squares, ground);

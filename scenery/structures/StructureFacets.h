@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include <foundation/Heights.h>
+
 #include "scenery/buildings/BuildingFacets.h"
 #include "scenery/structures/Structure.h"
 
@@ -27,8 +29,8 @@ using StructureSquares = std::map<std::pair<std::int64_t, std::int64_t>, Structu
 /// Builds structures on the ground: walls and fences that follow it, pylons with their wires, rails on their
 /// sleepers, wind turbines. Those of which a place has no ground are left out, and counted in `beyondGround`.
 /// Frame: the scene's. Cost: some 20 µs a metre of wall, 200 µs a pylon.
-StructureSquares structureFacets(std::span<const Structure> structures, const GroundHeight& ground,
-                                 std::size_t& beyondGround);
+StructureSquares structureFacets(std::span<const Structure> structures,
+                                 const foundation::HeightInPlan& ground, std::size_t& beyondGround);
 
 inline constexpr double kStructureSquareM = 250.0;
 inline constexpr double kStructureFineM = 700.0, kStructureCoarseM = 7000.0, kStructureLowM = 1200.0;

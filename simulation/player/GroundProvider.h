@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <foundation/Heights.h>
+
 namespace simulation
 {
 
@@ -51,6 +53,16 @@ public:
     std::optional<GroundSample> operator()(double eastM, double northM, double fromM = kAnyHeightM) const
     {
         return _query(eastM, northM, fromM);
+    }
+
+    /// Returns the heights of the uppermost surfaces alone. Precondition: the scene has ground.
+    foundation::HeightInPlan heights() const
+    {
+        return [query = _query](const glm::dvec2& plan) -> std::optional<double>
+        {
+            const auto sample = query(plan.x, plan.y, kAnyHeightM);
+            return sample ? std::optional(sample->heightM) : std::nullopt;
+        };
     }
 
 private:

@@ -120,7 +120,7 @@ TrackClearance keepAboveGround(FollowTrajectoryAction& action, const SceneFrame&
     return done;
 }
 
-GroundHeight groundHeightOf(const SceneFrame& frame)
+foundation::HeightOnEarth groundHeightOf(const SceneFrame& frame)
 {
     return [&frame](double latitudeDeg, double longitudeDeg) -> std::optional<double>
     {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include <foundation/Heights.h>
+
 #include "simulation/player/SceneFrame.h"
 #include "simulation/scenario/RoutingActions.h"
 #include "simulation/track/TrackHeights.h"
@@ -27,6 +29,6 @@ TrackClearance keepAboveGround(FollowTrajectoryAction& action, const SceneFrame&
 
 /// The ground below places on earth, by the frame of a scene. `frame` has an origin, and must outlive the
 /// function.
-GroundHeight groundHeightOf(const SceneFrame& frame);
+foundation::HeightOnEarth groundHeightOf(const SceneFrame& frame);
 
 } // namespace simulation

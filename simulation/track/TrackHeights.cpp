@@ -60,7 +60,8 @@ std::string TrackHeights::message() const
     return message;
 }
 
-TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double clearanceM, bool findsOffset)
+TrackHeights fitToGround(FlightTrack& track, const foundation::HeightOnEarth& ground, double clearanceM,
+                         bool findsOffset)
 {
     TrackHeights done;
     done.datum = track.datum;

@@ -5,13 +5,12 @@
 #include <optional>
 #include <string>
 
+#include <foundation/Heights.h>
+
 #include "simulation/track/FlightTrack.h"
 
 namespace simulation
 {
-
-/// Returns the height of the drawn ground above the ellipsoid, metres; nothing outside the terrain.
-using GroundHeight = std::function<std::optional<double>(double latitudeDeg, double longitudeDeg)>;
 
 /// What was done to the heights of a track.
 struct TrackHeights
@@ -33,7 +32,7 @@ struct TrackHeights
 /// fix stays less than `clearanceM` above the ground, and a fix without height lies on it.
 /// Precondition: countFromEllipsoid(). Cost: one look-up for each fix. Differs from a geoid model: what the
 /// barometer of the day adds is found, too.
-TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double clearanceM = 0.0,
+TrackHeights fitToGround(FlightTrack& track, const foundation::HeightOnEarth& ground, double clearanceM = 0.0,
                          bool findsOffset = true);
 
 } // namespace simulation

@@ -53,7 +53,7 @@ double lengthOf(const FlightTrack& track)
     return length;
 }
 
-TrackKind kindByMotion(const FlightTrack& track, const GroundHeight& ground, bool isMadeGround)
+TrackKind kindByMotion(const FlightTrack& track, const foundation::HeightOnEarth& ground, bool isMadeGround)
 {
     if (track.kind != TrackKind::unknown) return track.kind;
     std::size_t flying = 0, lifted = 0;

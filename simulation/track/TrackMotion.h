@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <foundation/Heights.h>
+
 #include "simulation/track/TrackHeights.h"
 
 namespace simulation
@@ -16,6 +18,7 @@ double lengthOf(const FlightTrack& track);
 /// or more, or half of them 25 m (of a made ground, which is no measure, the first alone counts), else a
 /// person on foot (slower than 2.5 m/s for nine tenths of the moving time) or a vehicle. Precondition:
 /// fitToGround() was called.
-TrackKind kindByMotion(const FlightTrack& track, const GroundHeight& ground, bool isMadeGround = false);
+TrackKind kindByMotion(const FlightTrack& track, const foundation::HeightOnEarth& ground,
+                       bool isMadeGround = false);
 
 } // namespace simulation

@@ -166,7 +166,7 @@ void dropMarks(std::vector<FlightTrack>& tracks, std::vector<std::string>& notes
 }
 
 /// Fits each track to the ground, and tells what was done.
-void fitTracks(std::vector<FlightTrack>& tracks, const GroundHeight& ground, bool isMadeGround,
+void fitTracks(std::vector<FlightTrack>& tracks, const foundation::HeightOnEarth& ground, bool isMadeGround,
                std::vector<std::string>& notes)
 {
     for (FlightTrack& track : tracks)
@@ -205,8 +205,8 @@ void leaveTracks(std::vector<FlightTrack>& tracks, double levelM, std::vector<st
     }
 }
 
-foundation::Outcome checkCover(const std::vector<FlightTrack>& tracks, const GroundHeight& ground,
-                               const std::string& sceneFile)
+foundation::Outcome checkCover(const std::vector<FlightTrack>& tracks,
+                               const foundation::HeightOnEarth& ground, const std::string& sceneFile)
 {
     for (const FlightTrack& track : tracks)
         for (const TrackFix& fix : track.fixes)
@@ -229,7 +229,7 @@ foundation::Result<TrackScenario> scenarioOf(std::vector<FlightTrack> tracks, co
     if (auto note = countFromEllipsoid(tracks)) notes.push_back(std::move(*note));
     if (frame.hasGround())
     {
-        const GroundHeight ground = groundHeightOf(frame);
+        const foundation::HeightOnEarth ground = groundHeightOf(frame);
         if (const auto covered = checkCover(tracks, ground, options.sceneFile); !covered)
             return covered.error();
         dropMarks(tracks, notes);

@@ -92,8 +92,7 @@ public:
         }
     }
 
-    template<class Ground>
-    void lookAtTunnels(const Ground& groundM)
+    void lookAtTunnels(const foundation::HeightInPlan& groundM)
     {
         const osgRoads::core::TunnelTube tube;
         for (int i = 0; _roads && i < static_cast<int>(_roads->network().roads.size()); ++i)
@@ -107,7 +106,7 @@ public:
                      s += kTunnelLookM)
                 {
                     const glm::dvec3 place = middleAt(i, std::min(s, _roads->road(i).length));
-                    const auto ground = groundM(place.x, place.y);
+                    const auto ground = groundM(place);
                     if (!ground) continue;
                     const double roofM = place.z + tube.crownM + tube.liningM - *ground;
                     if (roofM > std::max(kMostRoofM, worst.foundM))
@@ -117,8 +116,7 @@ public:
             }
     }
 
-    template<class Ground>
-    void lookAtTubes(const Ground& groundM)
+    void lookAtTubes(const foundation::HeightInPlan& groundM)
     {
         for (const RailLine& line : _rails)
         {
@@ -129,7 +127,7 @@ public:
                 const auto awayM = [&](const glm::dvec3& end)
                 { return glm::distance(glm::dvec2(place), glm::dvec2(end)); };
                 if (std::min(awayM(line.points.front()), awayM(line.points.back())) < kPortalRoomM) continue;
-                const auto ground = groundM(place.x, place.y);
+                const auto ground = groundM(place);
                 if (!ground) continue;
                 const double roofM = place.z + kTunnelRoofM - 0.1 - *ground;
                 if (roofM > std::max(kMostRoofM, worst.foundM)) worst.foundM = roofM, worst.place = place;
@@ -297,9 +295,8 @@ private:
 
 } // namespace
 
-std::vector<CrossingFault>
-crossingFaults(const PlacedNetwork* roads, std::span<const RailLine> rails,
-               const std::function<std::optional<double>(double eastM, double northM)>& groundM)
+std::vector<CrossingFault> crossingFaults(const PlacedNetwork* roads, std::span<const RailLine> rails,
+                                          const foundation::HeightInPlan& groundM)
 {
     CrossingLooker looker(roads, rails);
     looker.lookAtCrossings();

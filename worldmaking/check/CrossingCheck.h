@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <glm/vec3.hpp>
 
 #include <osgRoads/core/place/PlacedNetwork.h>
@@ -46,9 +47,9 @@ struct CrossingFault
 
 /// Looks at all crossings of roads and railways in the plan, at tunnels each 5 m, and at the ends of rails.
 /// `groundM`: at a place of the scene. Cost: some microseconds for each 4 m of road.
-std::vector<CrossingFault>
-crossingFaults(const osgRoads::core::PlacedNetwork* roads, std::span<const RailLine> rails,
-               const std::function<std::optional<double>(double eastM, double northM)>& groundM);
+std::vector<CrossingFault> crossingFaults(const osgRoads::core::PlacedNetwork* roads,
+                                          std::span<const RailLine> rails,
+                                          const foundation::HeightInPlan& groundM);
 
 inline constexpr double kLeastClearM = 4.3; ///< 4.5 m, less what rounding takes
 inline constexpr double kSameLevelM = 0.35; ///< between what crosses at one level

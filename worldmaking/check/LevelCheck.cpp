@@ -24,7 +24,7 @@ constexpr double kBeyondM = 6.0, kLowM = 0.3;
 constexpr double kSampledM = 5.0; ///< along a course, that samples of the ground are off
 constexpr int kMostPlaces = 200;  ///< along a side of the box around water
 
-double heightOr(const PlanHeight& elevationM, const glm::dvec2& place, LevelFigures& figures)
+double heightOr(const foundation::HeightInPlan& elevationM, const glm::dvec2& place, LevelFigures& figures)
 {
     const auto height = elevationM(place);
     figures.isKnown = figures.isKnown && height.has_value();
@@ -77,7 +77,7 @@ public:
     }
 
     /// How courses fall and rise within the water.
-    void addFalls(const PlanHeight& elevationM, LevelFigures& figures) const
+    void addFalls(const foundation::HeightInPlan& elevationM, LevelFigures& figures) const
     {
         for (const auto& [a, b] : _pieces)
         {
@@ -104,7 +104,7 @@ private:
 
 /// The slope between a place of water and the next ones, or of a river to its course.
 double slopeAt(const glm::dvec2& place, double stepM, const PlanRings& rings, const Courses& courses,
-               const PlanHeight& elevationM, LevelFigures& figures)
+               const foundation::HeightInPlan& elevationM, LevelFigures& figures)
 {
     const double height = heightOr(elevationM, place, figures);
     const auto awayM = [&](const glm::dvec2& other)
@@ -130,7 +130,7 @@ double slopeAt(const glm::dvec2& place, double stepM, const PlanRings& rings, co
 }
 
 /// The slopes of a grid of places within rings.
-void addSlopes(const PlanRings& rings, const Courses& courses, const PlanHeight& elevationM,
+void addSlopes(const PlanRings& rings, const Courses& courses, const foundation::HeightInPlan& elevationM,
                LevelFigures& figures)
 {
     const MapBox box = boxOf(rings.front());
@@ -151,7 +151,7 @@ void addSlopes(const PlanRings& rings, const Courses& courses, const PlanHeight&
 } // namespace
 
 LevelFigures runwayFigures(const glm::dvec2& from, const glm::dvec2& to, double widthM,
-                           const PlanHeight& elevationM)
+                           const foundation::HeightInPlan& elevationM)
 {
     LevelFigures figures;
     const glm::dvec2 along = glm::normalize(to - from), left(-along.y, along.x);
@@ -179,7 +179,8 @@ LevelFigures runwayFigures(const glm::dvec2& from, const glm::dvec2& to, double 
     return figures;
 }
 
-LevelFigures waterFigures(const PlanRings& rings, const PlanRings& lines, const PlanHeight& elevationM)
+LevelFigures waterFigures(const PlanRings& rings, const PlanRings& lines,
+                          const foundation::HeightInPlan& elevationM)
 {
     LevelFigures figures;
     const Courses courses(lines, rings);

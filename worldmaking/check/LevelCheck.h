@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "worldmaking/land/PlanHeight.h"
+#include <foundation/Heights.h>
+
 #include "worldmaking/land/RoadRoom.h"
 
 namespace worldmaking
@@ -25,12 +26,13 @@ struct LevelFigures
 /// Measures the paving of a runway: three lines along it, places each 10 m. `elevationM` in the samples'
 /// datum, so that the Earth's bend does not count.
 LevelFigures runwayFigures(const glm::dvec2& from, const glm::dvec2& to, double widthM,
-                           const PlanHeight& elevationM);
+                           const foundation::HeightInPlan& elevationM);
 
 /// Measures open water: places each 10 m within it, and its shore each 10 m. A river falls along its course,
 /// and is as high beside it: a place within kCourseM of a course (`courses`: lines, downstream) counts by its
 /// height above the course there, 0.3 m left out. Where a course leads out of the area there is no shore.
-LevelFigures waterFigures(const PlanRings& rings, const PlanRings& courses, const PlanHeight& elevationM);
+LevelFigures waterFigures(const PlanRings& rings, const PlanRings& courses,
+                          const foundation::HeightInPlan& elevationM);
 
 inline constexpr double kCourseM = 60.0;
 

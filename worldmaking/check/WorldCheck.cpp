@@ -140,7 +140,7 @@ private:
                 for (int k = 0; k < steps; ++k)
                 {
                     const glm::dvec2 place = glm::mix(a, b, static_cast<double>(k) / steps);
-                    const auto ground = _things.groundM(place.x, place.y);
+                    const auto ground = _things.groundM(place);
                     if (!ground) return true;
                     lowest = std::min(lowest, *ground);
                 }
@@ -155,7 +155,7 @@ private:
             faults.inWater += _waters.hold(place) ? 1 : 0;
             faults.onRunway += _runways.hold(place) ? 1 : 0;
             faults.overlapping += _houses.hold(place) ? 1 : 0;
-            const auto ground = _things.groundM(place.x, place.y);
+            const auto ground = _things.groundM(place);
             faults.floating += ground ? 0 : 1;
             if (ground && _things.roads && isOnLanes(glm::dvec3(place, *ground))) ++faults.onRoad;
         }
@@ -210,7 +210,7 @@ private:
             const auto lanes = osgRoads::core::extentAt(road, s);
             const glm::dvec3 place =
                 _things.roads->surfacePoint(index, s, 0.5 * (lanes.rightT + lanes.leftT));
-            const auto ground = _things.groundM(place.x, place.y);
+            const auto ground = _things.groundM(place);
             const double gapM = ground ? place.z - *ground : 1e9;
             if (gapM > std::max(kMostGapM, floating.byM))
                 floating.sM = s, floating.byM = gapM, floating.place = place;

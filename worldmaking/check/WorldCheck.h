@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -15,7 +16,6 @@
 #include "scenery/buildings/Building.h"
 #include "worldmaking/check/CrossingCheck.h"
 #include "worldmaking/check/LevelCheck.h"
-#include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/land/RoadRoom.h"
 
 namespace worldmaking
@@ -29,10 +29,9 @@ struct WorldThings
     std::vector<glm::dvec2> plants; ///< trees, and whatever else stands at a point
     std::vector<RailLine> rails;
     std::vector<PlanRings> waters, runways;
-    PlanRings courses; ///< lines of rivers and streams, downstream
-    std::function<std::optional<double>(double eastM, double northM)>
-        groundM; ///< with its cuttings; nothing beyond the data
-    PlanHeight
+    PlanRings courses;                ///< lines of rivers and streams, downstream
+    foundation::HeightInPlan groundM; ///< with its cuttings; nothing beyond the data
+    foundation::HeightInPlan
         elevationM; ///< the same in the datum of the samples; empty: runways and waters are not measured
 };
 

@@ -128,7 +128,8 @@ std::vector<glm::dvec2> stationsOf(const std::vector<glm::dvec2>& line, double s
 }
 
 /// Nothing: a point lies beyond the ground.
-std::optional<std::vector<double>> heightsAt(const std::vector<glm::dvec2>& places, const PlanHeight& ground)
+std::optional<std::vector<double>> heightsAt(const std::vector<glm::dvec2>& places,
+                                             const foundation::HeightInPlan& ground)
 {
     std::vector<double> heights;
     for (const glm::dvec2& place : places)
@@ -151,7 +152,8 @@ Earthwork lineWork(std::vector<glm::dvec2> line, std::vector<double> heightsM, d
 }
 
 /// The mean of the ground over the width of a strip: one sample says little.
-std::optional<double> across(const PlanHeight& ground, const glm::dvec2& place, const glm::dvec2& left)
+std::optional<double> across(const foundation::HeightInPlan& ground, const glm::dvec2& place,
+                             const glm::dvec2& left)
 {
     double sum = 0.0;
     for (const double outM : {-20.0, 0.0, 20.0})
@@ -163,8 +165,8 @@ std::optional<double> across(const PlanHeight& ground, const glm::dvec2& place, 
     return sum;
 }
 
-std::optional<Earthwork> runwayWork(const Runway& runway, const PlanStrip& strip, const PlanHeight& ground,
-                                    AirfieldReport& report)
+std::optional<Earthwork> runwayWork(const Runway& runway, const PlanStrip& strip,
+                                    const foundation::HeightInPlan& ground, AirfieldReport& report)
 {
     const glm::dvec2 along = glm::normalize(strip.to - strip.from), left(-along.y, along.x);
     const RunwayLimits limits = runwayLimits(glm::distance(strip.from, strip.to));
@@ -194,7 +196,7 @@ std::optional<Earthwork> runwayWork(const Runway& runway, const PlanStrip& strip
 
 /// Pinned where it lies on what has been levelled before.
 std::optional<Earthwork> taxiwayWork(const std::vector<glm::dvec2>& line, double widthM,
-                                     const PlanHeight& shaped, const Earthworks& before)
+                                     const foundation::HeightInPlan& shaped, const Earthworks& before)
 {
     auto points = stationsOf(line, kStationM);
     const auto heights = heightsAt(points, shaped);
@@ -209,7 +211,7 @@ std::optional<Earthwork> taxiwayWork(const std::vector<glm::dvec2>& line, double
 }
 
 /// An apron: the plane of the ground, no steeper than kApronSlope.
-std::optional<Earthwork> apronWork(const PlanRings& rings, const PlanHeight& ground)
+std::optional<Earthwork> apronWork(const PlanRings& rings, const foundation::HeightInPlan& ground)
 {
     osgTerrainROAM::core::NearestPlane plane;
     const MapBox box = boxOf(rings.front());
@@ -295,7 +297,8 @@ std::vector<Runway> runwaysOf(const LandMap& map, const MapPlane& plane, std::sp
 }
 
 std::vector<Earthwork> airfieldWorks(const LandMap& map, std::span<const Runway> runways,
-                                     const MapPlane& plane, const PlanHeight& ground, AirfieldReport& report)
+                                     const MapPlane& plane, const foundation::HeightInPlan& ground,
+                                     AirfieldReport& report)
 {
     std::vector<Earthwork> ofRunways;
     for (const Runway& runway : runways)
@@ -305,7 +308,7 @@ std::vector<Earthwork> airfieldWorks(const LandMap& map, std::span<const Runway>
         ++(work ? report.runways : report.beyondGround);
         if (work) ofRunways.push_back(std::move(*work));
     }
-    const auto shapedBy = [&](const Earthworks& earth) -> PlanHeight
+    const auto shapedBy = [&](const Earthworks& earth) -> foundation::HeightInPlan
     {
         return [&](const glm::dvec2& place) -> std::optional<double>
         {

@@ -5,9 +5,10 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include <osgTerrainROAM/core/edit/Earthworks.h>
 
-#include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
@@ -32,9 +33,8 @@ std::vector<Runway> runwaysOf(const LandMap& map, const MapPlane& plane, std::sp
 /// strips beside and beyond, slopes of one in three to the ground. Aprons follow the ground that runways have
 /// shaped; taxiways join both.
 /// Frame: the plane. Sources: those of RunwayProfile.h.
-std::vector<osgTerrainROAM::core::Earthwork> airfieldWorks(const LandMap& map,
-                                                           std::span<const Runway> runways,
-                                                           const MapPlane& plane, const PlanHeight& ground,
-                                                           AirfieldReport& report);
+std::vector<osgTerrainROAM::core::Earthwork>
+airfieldWorks(const LandMap& map, std::span<const Runway> runways, const MapPlane& plane,
+              const foundation::HeightInPlan& ground, AirfieldReport& report);
 
 } // namespace worldmaking

@@ -16,7 +16,7 @@ namespace
 constexpr double kShoreStepM = 10.0, kBeyondShoreM = 8.0;
 
 std::optional<double> lowGroundM(const PlanRings& rings, const glm::dvec2& edge, const glm::dvec2& along,
-                                 const PlanHeight& ground)
+                                 const foundation::HeightInPlan& ground)
 {
     const glm::dvec2 out = kBeyondShoreM / std::max(glm::length(along), 1e-9) * glm::dvec2(along.y, -along.x);
     const auto at = ground(edge);
@@ -40,7 +40,7 @@ double shoreDistanceM(const PlanRings& area, const glm::dvec2& place)
     return least;
 }
 
-std::optional<std::vector<double>> shoreOf(const PlanRings& rings, const PlanHeight& ground)
+std::optional<std::vector<double>> shoreOf(const PlanRings& rings, const foundation::HeightInPlan& ground)
 {
     std::vector<double> heights;
     for (const auto& ring : rings)

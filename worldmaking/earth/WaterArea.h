@@ -6,7 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "worldmaking/land/PlanHeight.h"
+#include <foundation/Heights.h>
+
 #include "worldmaking/land/RoadRoom.h"
 
 namespace worldmaking
@@ -35,6 +36,6 @@ double shoreDistanceM(const PlanRings& area, const glm::dvec2& place);
 /// Returns the heights of the ground at the shore of an area, each 10 m, the lowest first: the lower of a
 /// place of the shore and of one 8 m beyond, since a pool on a slope ends where the ground falls. Nothing:
 /// some place has no ground.
-std::optional<std::vector<double>> shoreOf(const PlanRings& rings, const PlanHeight& ground);
+std::optional<std::vector<double>> shoreOf(const PlanRings& rings, const foundation::HeightInPlan& ground);
 
 } // namespace worldmaking

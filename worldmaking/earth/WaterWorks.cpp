@@ -49,7 +49,7 @@ struct River
 class WaterMaker
 {
 public:
-    WaterMaker(const MapPlane& plane, const PlanHeight& ground, WaterReport& report)
+    WaterMaker(const MapPlane& plane, const foundation::HeightInPlan& ground, WaterReport& report)
         : _plane(plane), _ground(ground), _report(report)
     {
     }
@@ -230,7 +230,7 @@ private:
     }
 
     const MapPlane& _plane;
-    const PlanHeight& _ground;
+    const foundation::HeightInPlan& _ground;
     WaterReport& _report;
     WaterNet _net;
     std::vector<char> _flowsThrough; ///< by node: a river's line lies in that area
@@ -259,8 +259,8 @@ std::optional<double> riverWidthM(const LandShape& shape)
     return told >= 1.0 && told <= 500.0 ? told : way == "river" ? kRiverM : kCanalM;
 }
 
-std::vector<Earthwork> waterWorks(const LandMap& map, const MapPlane& plane, const PlanHeight& ground,
-                                  WaterReport& report)
+std::vector<Earthwork> waterWorks(const LandMap& map, const MapPlane& plane,
+                                  const foundation::HeightInPlan& ground, WaterReport& report)
 {
     const GdalScope quiet;
     WaterMaker maker(plane, ground, report);

@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include <osgTerrainROAM/core/edit/Earthworks.h>
 
-#include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
 
@@ -28,7 +29,8 @@ struct WaterReport
 /// and ditches stay as the ground is.
 /// Frame: the plane.
 std::vector<osgTerrainROAM::core::Earthwork> waterWorks(const LandMap& map, const MapPlane& plane,
-                                                        const PlanHeight& ground, WaterReport& report);
+                                                        const foundation::HeightInPlan& ground,
+                                                        WaterReport& report);
 
 /// Tells whether an area of water flows.
 bool isRiverArea(const Tags& tags);

@@ -9,7 +9,8 @@ namespace worldmaking
 {
 
 foundation::Result<std::size_t> writeModels(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
-                                            const PlanHeight& height, const std::filesystem::path& file)
+                                            const foundation::HeightInPlan& height,
+                                            const std::filesystem::path& file)
 {
     std::vector<const LandShape*> standing;
     for (const LandShape& shape : map.shapes)

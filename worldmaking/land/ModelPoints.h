@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <filesystem>
 
+#include <foundation/Heights.h>
 #include <foundation/Result.h>
 
-#include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
@@ -19,7 +19,8 @@ namespace worldmaking
 /// ground. Returns how many there are; no file where there is none.
 /// Errors: as MapFile::finish().
 foundation::Result<std::size_t> writeModels(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
-                                            const PlanHeight& height, const std::filesystem::path& file);
+                                            const foundation::HeightInPlan& height,
+                                            const std::filesystem::path& file);
 
 inline constexpr double kModelRoomM = 1.2;
 

@@ -23,7 +23,7 @@ constexpr std::uint64_t kSeed = 5;
 class SquareHeights
 {
 public:
-    explicit SquareHeights(const PlanHeight& height) : _height(height) {}
+    explicit SquareHeights(const foundation::HeightInPlan& height) : _height(height) {}
 
     struct Land
     {
@@ -48,7 +48,7 @@ private:
         return found->second;
     }
 
-    const PlanHeight& _height;
+    const foundation::HeightInPlan& _height;
     std::unordered_map<std::uint64_t, std::optional<double>> _heights;
 };
 

@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <span>
 
+#include <foundation/Heights.h>
+
 #include "worldmaking/land/CoverRaster.h"
 #include "worldmaking/land/Houses.h"
-#include "worldmaking/land/PlanHeight.h"
 
 namespace worldmaking
 {
@@ -16,7 +17,7 @@ struct SilentLand
 {
     const RoadRoom& roads;
     std::span<const House> houses;
-    const PlanHeight& height;
+    const foundation::HeightInPlan& height;
     double latitudeDeg = 45.0;
 };
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <foundation/Result.h>
 
-#include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
@@ -34,7 +34,7 @@ struct StructureRoom
     const RoadRoom& roads;
     std::span<const Runway> runways;
     std::span<const PlanRings> strips; ///< of the runways
-    PlanHeight ground;
+    foundation::HeightInPlan ground;
     /// railways with heights of their own, by their shapes in the map
     std::span<const Track> tracks{};
     std::span<const Footbridge> footbridges{}; ///< with their ramps

@@ -48,7 +48,8 @@ std::uint64_t seedOf(std::int64_t column, std::int64_t row)
 class Planter
 {
 public:
-    Planter(const LandMap& map, const MapPlane& plane, const TakenGround& taken, const PlanHeight& height)
+    Planter(const LandMap& map, const MapPlane& plane, const TakenGround& taken,
+            const foundation::HeightInPlan& height)
         : _taken(taken), _height(height), _waters(map, plane)
     {
         for (std::size_t i = 0; i < taken.houses.size(); ++i)
@@ -117,7 +118,7 @@ private:
     }
 
     const TakenGround& _taken;
-    const PlanHeight& _height;
+    const foundation::HeightInPlan& _height;
     Waters _waters;
     PlanGrid _houses, _runways;
     std::unordered_map<std::uint64_t, bool> _isHigh;
@@ -213,7 +214,7 @@ private:
 } // namespace
 
 std::vector<Tree> treesOf(const LandMap& map, const MapPlane& plane, const TakenGround& taken,
-                          const PlanHeight& height, TreeReport& report)
+                          const foundation::HeightInPlan& height, TreeReport& report)
 {
     Planter planter(map, plane, taken, height);
     for (const LandShape& shape : map.shapes)

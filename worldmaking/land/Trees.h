@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <foundation/Result.h>
 
 #include "worldmaking/land/CoverRaster.h"
 #include "worldmaking/land/Houses.h"
-#include "worldmaking/land/PlanHeight.h"
 
 namespace worldmaking
 {
@@ -49,7 +49,7 @@ struct TreeReport
 /// a runway's strip or where there is no ground. Kinds follow leaf_type, or else the height: above 1500 m
 /// most are spruces.
 std::vector<Tree> treesOf(const LandMap& map, const MapPlane& plane, const TakenGround& taken,
-                          const PlanHeight& height, TreeReport& report);
+                          const foundation::HeightInPlan& height, TreeReport& report);
 
 /// Writes them as points with kind, seed and scale. Errors: as MapFile::finish().
 foundation::Outcome writeTrees(std::span<const Tree> trees, const MapPlane& plane,

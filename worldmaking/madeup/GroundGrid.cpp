@@ -30,7 +30,7 @@ GroundGrid::GroundGrid(const MapBox& box, double cellM, const HeightMaker& heigh
     foundation::forEachAtOnce(strips,
                               [&](std::size_t strip)
                               {
-                                  const Height height = heights();
+                                  const foundation::HeightInPlan height = heights();
                                   const int first = static_cast<int>(strip) * kStripRows;
                                   std::size_t knownHere = 0, lowHere = 0;
                                   for (int row = first; row < std::min(first + kStripRows, _rows); ++row)

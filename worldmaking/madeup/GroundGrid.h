@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <glm/glm.hpp>
 
 #include "worldmaking/land/PlanGrid.h"
@@ -18,15 +19,13 @@ namespace worldmaking
 class GroundGrid
 {
 public:
-    using Height = std::function<std::optional<double>(const glm::dvec2& plan)>;
-
     /// Makes what a thread of its own asks for heights.
-    using HeightMaker = std::function<Height()>;
+    using HeightMaker = std::function<foundation::HeightInPlan()>;
 
     /// Asks for the height of each point, in many threads, each of what was made for it. Where there is none
     /// the grid has no ground.
     GroundGrid(const MapBox& box, double cellM, const HeightMaker& heights);
-    GroundGrid(const MapBox& box, double cellM, const Height& height)
+    GroundGrid(const MapBox& box, double cellM, const foundation::HeightInPlan& height)
         : GroundGrid(box, cellM, HeightMaker([&height] { return height; }))
     {
     }

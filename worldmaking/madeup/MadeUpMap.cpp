@@ -25,7 +25,7 @@ constexpr double kFinestM = 12.0;
 constexpr int kMostPoints = 1000; ///< of the grid, a side
 
 /// How much of a part of the ground people would settle on: samples on land that is no steeper than kGentle.
-int gentleSamples(const MapBounds& part, const GroundOnEarth& ground)
+int gentleSamples(const MapBounds& part, const foundation::HeightOnEarth& ground)
 {
     constexpr int kSamples = 16;
     constexpr double kGentle = 0.06, kStepDeg = 0.002;
@@ -44,7 +44,7 @@ int gentleSamples(const MapBounds& part, const GroundOnEarth& ground)
 }
 
 /// The part of the size that is filled: that with the most gentle land, the middle one of equals.
-MapBounds cutToSize(const MapBounds& bounds, const GroundOnEarth& ground)
+MapBounds cutToSize(const MapBounds& bounds, const foundation::HeightOnEarth& ground)
 {
     const double latitude = 0.5 * (bounds.south + bounds.north);
     const double perEast = kMetresPerDegree * std::cos(latitude * std::numbers::pi / 180.0);
@@ -79,7 +79,7 @@ foundation::Result<MapPlane> planeAbout(const MapBounds& bounds)
 }
 
 /// Heights in the plane about bounds, for one thread: planes are asked by one at a time.
-GroundGrid::Height planHeights(const MapBounds& bounds, const GroundOnEarth& ground)
+foundation::HeightInPlan planHeights(const MapBounds& bounds, const foundation::HeightOnEarth& ground)
 {
     auto plane = planeAbout(bounds);
     if (!plane) return [](const glm::dvec2&) { return std::optional<double>(); };
@@ -104,7 +104,8 @@ std::optional<MapBox> boxAround(const MapBounds& bounds, const MapPlane& plane)
 
 } // namespace
 
-foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeUpSettings& settings)
+foundation::Result<MadeUpMap> makeUpMap(const foundation::HeightOnEarth& ground,
+                                        const MadeUpSettings& settings)
 {
     const MapBounds bounds = cutToSize(settings.bounds, ground);
     const auto plane = planeAbout(bounds);

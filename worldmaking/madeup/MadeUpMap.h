@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <foundation/Result.h>
 
 #include "worldmaking/land/Runways.h"
@@ -57,7 +58,8 @@ struct MadeUpMap
 /// The same ground and seed give the same map. At most kLargestKm a side: of a larger ground the part with
 /// the most gentle land is filled.
 /// Errors: bounds without ground; ground without a place for a road; PROJ. Cost: some 10 s for 600 km².
-foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeUpSettings& settings);
+foundation::Result<MadeUpMap> makeUpMap(const foundation::HeightOnEarth& ground,
+                                        const MadeUpSettings& settings);
 
 inline constexpr double kLargestKm = 26.0;
 

@@ -52,7 +52,7 @@ osgRoads::core::NetworkHeader headerOf(const StreetMap& map)
 }
 
 /// Leaves out ways of which a node is not on the ground.
-StreetMap onGround(const StreetMap& map, const GroundOnEarth& ground, StreetReport& report)
+StreetMap onGround(const StreetMap& map, const foundation::HeightOnEarth& ground, StreetReport& report)
 {
     std::vector<char> isOnGround;
     for (const MapNode& node : map.nodes)
@@ -101,8 +101,8 @@ struct AllWays
 };
 
 foundation::Result<AllWays> allWays(const StreetMap& streets, const StreetGraph& graph, const LandMap& land,
-                                    const GeoReference& reference, const GroundOnEarth& ground,
-                                    const GroundHeight& height)
+                                    const GeoReference& reference, const foundation::HeightOnEarth& ground,
+                                    const foundation::HeightInPlan& height)
 {
     AllWays ways;
     const StreetMap map = tracksOf(land, streets.nodes, ground);
@@ -168,7 +168,7 @@ Crossings crossingsOf(const AllWays& ways, std::size_t tracks, const LandMap& la
 
 } // namespace
 
-foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEarth& ground,
+foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation::HeightOnEarth& ground,
                                          const std::string& mapName, const LandMap* land)
 {
     Streets streets;
@@ -217,7 +217,7 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEar
     report.untoldBridges = addUntoldBridges(streets.network);
     const auto spans = trackSpans(ways->graph, cuts, crossings, heights);
     const LaneSurface surface(streets.network);
-    const GroundHeight groundHeight = height;
+    const foundation::HeightInPlan groundHeight = height;
     const StreetSurface streetAt = [&](const glm::dvec2& place, StreetPlace on, double nearM)
     { return surface.heightAt(place, on, nearM); };
     streets.tracks = tracksWithHeights(

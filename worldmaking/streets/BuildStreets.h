@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <foundation/Result.h>
 
 #include <osgRoads/core/network/RoadNetwork.h>
@@ -12,7 +13,6 @@
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/StreetMap.h"
 #include "worldmaking/streets/Footbridges.h"
-#include "worldmaking/streets/GroundOnEarth.h"
 #include "worldmaking/streets/Track.h"
 
 namespace worldmaking
@@ -53,7 +53,7 @@ struct Streets
 /// `ground` counts them. Ways of which a node lies beyond the ground are left out, and counted.
 /// Errors: nothing of the map lies on the ground; PROJ.
 /// Cost: about 1 s for 500 km. Same input, same bytes.
-foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEarth& ground,
+foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation::HeightOnEarth& ground,
                                          const std::string& mapName, const LandMap* land = nullptr);
 
 } // namespace worldmaking

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
 #include "worldmaking/streets/CentreLine.h"
@@ -45,7 +47,7 @@ struct FootbridgeSources
     const StreetHeights& heights;
     const LandMap& land;
     const MapPlane& plane;
-    const GroundHeight& ground;
+    const foundation::HeightInPlan& ground;
     const StreetSurface& streetAt;
 };
 

@@ -89,7 +89,7 @@ private:
 } // namespace
 
 std::vector<DugTunnel> dugTunnels(const HeightNodes& nodes, const std::vector<double>& wishesM,
-                                  const GroundHeight& ground)
+                                  const foundation::HeightInPlan& ground)
 {
     std::vector<DugTunnel> dug;
     for (std::size_t r = 0; r < nodes.rows.size(); ++r)
@@ -128,7 +128,7 @@ std::vector<scenery::HeightBound> heightBoundsOf(const HeightNodes& nodes, const
                                                  std::span<const DugTunnel> tunnels,
                                                  const Crossings& crossings,
                                                  const std::vector<double>& wishesM,
-                                                 const GroundHeight& ground)
+                                                 const foundation::HeightInPlan& ground)
 {
     BoundMaker maker(nodes, wishesM);
     for (const DugTunnel& tunnel : tunnels)

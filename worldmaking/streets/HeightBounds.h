@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include "scenery/roads/HeightFit.h"
 #include "worldmaking/streets/Crossings.h"
 #include "worldmaking/streets/HeightNodes.h"
@@ -22,7 +24,7 @@ struct DugTunnel
 /// Finds the tunnels that no hill covers, or a part of which none covers: they are dug in, from one portal to
 /// the other. A tunnel that a hill covers begins at the ground.
 std::vector<DugTunnel> dugTunnels(const HeightNodes& nodes, const std::vector<double>& wishesM,
-                                  const GroundHeight& ground);
+                                  const foundation::HeightInPlan& ground);
 
 /// Returns between which heights nodes lie: tunnels below the ground, streets over and under what they cross
 /// that has a height of its own, bridges over what stays on the ground, and what is sunk under it; where both
@@ -32,6 +34,6 @@ std::vector<scenery::HeightBound> heightBoundsOf(const HeightNodes& nodes, const
                                                  std::span<const DugTunnel> tunnels,
                                                  const Crossings& crossings,
                                                  const std::vector<double>& wishesM,
-                                                 const GroundHeight& ground);
+                                                 const foundation::HeightInPlan& ground);
 
 } // namespace worldmaking

@@ -73,7 +73,7 @@ private:
 
 } // namespace
 
-std::vector<double> smoothGround(const HeightNodes& nodes, const GroundHeight& ground,
+std::vector<double> smoothGround(const HeightNodes& nodes, const foundation::HeightInPlan& ground,
                                  std::span<const StreetTie> ties)
 {
     SquareSum sum(nodes.count);

@@ -56,8 +56,8 @@ FitLimits limitsOf(const HeightNodes& nodes, const std::vector<ChainCut>& cuts, 
 class Shortfalls
 {
 public:
-    Shortfalls(const HeightNodes& nodes, const std::vector<ChainCut>& cuts, const GroundHeight& ground,
-               StreetHeights& heights)
+    Shortfalls(const HeightNodes& nodes, const std::vector<ChainCut>& cuts,
+               const foundation::HeightInPlan& ground, StreetHeights& heights)
         : _nodes(nodes), _cuts(cuts), _ground(ground), _heights(heights)
     {
     }
@@ -101,7 +101,7 @@ private:
 
     const HeightNodes& _nodes;
     const std::vector<ChainCut>& _cuts;
-    const GroundHeight& _ground;
+    const foundation::HeightInPlan& _ground;
     StreetHeights& _heights;
 };
 
@@ -109,7 +109,7 @@ private:
 
 StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>& lines,
                         const std::vector<ChainCut>& cuts, const Crossings& crossings,
-                        const GroundHeight& ground)
+                        const foundation::HeightInPlan& ground)
 {
     const HeightNodes nodes = heightNodesOf(graph, lines, cuts);
     const auto ties = closeStreets(nodes, halfWidthsOf(graph));

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include "worldmaking/streets/Crossings.h"
 #include "worldmaking/streets/HeightNodes.h"
 #include "worldmaking/streets/SmoothGround.h"
@@ -45,6 +47,6 @@ struct StreetHeights
 /// profileOf() the curves.
 StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>& lines,
                         const std::vector<ChainCut>& cuts, const Crossings& crossings,
-                        const GroundHeight& ground);
+                        const foundation::HeightInPlan& ground);
 
 } // namespace worldmaking

@@ -244,7 +244,8 @@ std::optional<StreetTraits> trackTraitsOf(const Tags& tags)
     return traits;
 }
 
-StreetMap tracksOf(const LandMap& land, const std::vector<MapNode>& nodes, const GroundOnEarth& ground)
+StreetMap tracksOf(const LandMap& land, const std::vector<MapNode>& nodes,
+                   const foundation::HeightOnEarth& ground)
 {
     StreetMap map;
     map.nodes = nodes;
@@ -273,7 +274,8 @@ StreetMap tracksOf(const LandMap& land, const std::vector<MapNode>& nodes, const
     return map;
 }
 
-void openShortTunnels(StreetGraph& tracks, const std::vector<glm::dvec2>& places, const GroundHeight& ground)
+void openShortTunnels(StreetGraph& tracks, const std::vector<glm::dvec2>& places,
+                      const foundation::HeightInPlan& ground)
 {
     constexpr double kLongM = 60.0, kHillM = 4.0;
     for (const StreetChain& chain : tracks.chains)

@@ -6,9 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include <foundation/Heights.h>
+
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/streets/CentreLine.h"
-#include "worldmaking/streets/GroundOnEarth.h"
 #include "worldmaking/streets/StreetGraph.h"
 #include "worldmaking/streets/StreetHeights.h"
 #include "worldmaking/streets/Track.h"
@@ -35,11 +36,13 @@ std::optional<StreetTraits> trackTraitsOf(const Tags& tags);
 
 /// Returns the railways of a map as ways whose ids are the numbers of their shapes. `nodes`: of the streets;
 /// those of railways are added, one for both where they have it in common. Ways off the ground are left out.
-StreetMap tracksOf(const LandMap& land, const std::vector<MapNode>& nodes, const GroundOnEarth& ground);
+StreetMap tracksOf(const LandMap& land, const std::vector<MapNode>& nodes,
+                   const foundation::HeightOnEarth& ground);
 
 /// Makes cuttings of tunnels up to 60 m that no hill covers: a railway that passes under a street is seen
 /// there. `places`: of nodes.
-void openShortTunnels(StreetGraph& tracks, const std::vector<glm::dvec2>& places, const GroundHeight& ground);
+void openShortTunnels(StreetGraph& tracks, const std::vector<glm::dvec2>& places,
+                      const foundation::HeightInPlan& ground);
 
 /// Returns both as one graph: chains and crossings of `tracks` after those of `streets`.
 StreetGraph joined(const StreetGraph& streets, const StreetGraph& tracks);
@@ -57,7 +60,7 @@ struct TrackSources
     const std::vector<glm::dvec2>& places; ///< of nodes
     const StreetHeights& heights;
     const std::vector<TrackSpan>& spans;
-    const GroundHeight& ground; ///< in the plan
+    const foundation::HeightInPlan& ground; ///< in the plan
     const StreetSurface& streetAt;
 };
 

@@ -25,13 +25,13 @@ constexpr double kVergeM =
     2.5; ///< beside the lanes things stand at the height of the road, further away on the ground
 
 glm::dvec3 standsAt(const PlacedNetwork& placed, int road, const ObjectInstance& instance,
-                    const GroundHeight& ground)
+                    const foundation::HeightInPlan& ground)
 {
     glm::dvec3 at = placed.surfacePoint(road, instance.s, instance.t);
     const auto extent = osgRoads::core::extentAt(placed.road(road), instance.s);
     const bool isFar = instance.t > extent.leftT + kVergeM || instance.t < extent.rightT - kVergeM;
     if (ground && isFar)
-        if (const auto height = ground(at.x, at.y)) at.z = *height;
+        if (const auto height = ground(glm::dvec2(at))) at.z = *height;
     at.z += instance.z;
     return at;
 }
@@ -52,7 +52,7 @@ void addPlant(RoadThings& into, const StandingThing& thing, double heightM)
 
 /// Adds plants from the start to the end of a stretch, about as far from each other as they are high.
 void addHedge(const PlacedNetwork& placed, int road, const ObjectInstance& stretch,
-              const GroundHeight& ground, RoadThings& into)
+              const foundation::HeightInPlan& ground, RoadThings& into)
 {
     const double height = stretch.height > 0.0 ? stretch.height : 1.5, length = stretch.sEnd - stretch.s;
     const int plants = std::clamp(static_cast<int>(length / (0.6 * height)), 1, 2000);
@@ -97,7 +97,7 @@ bool addOutline(const PlacedNetwork& placed, int road, const RoadObject& object,
 
 /// A building of the size that is told, 1 m into the ground.
 void addBuilding(const PlacedNetwork& placed, int road, const ObjectInstance& instance,
-                 const GroundHeight& ground, RoadThings& into)
+                 const foundation::HeightInPlan& ground, RoadThings& into)
 {
     OwnThing thing;
     thing.origin = standsAt(placed, road, instance, ground);
@@ -131,7 +131,7 @@ bool isBarrier(const ObjectWords& words)
 }
 
 void placeInstance(const PlacedNetwork& placed, int road, const ObjectWords& words,
-                   const ObjectInstance& instance, const GroundHeight& ground, RoadThings& into)
+                   const ObjectInstance& instance, const foundation::HeightInPlan& ground, RoadThings& into)
 {
     if (instance.isStretch && isPlant(words)) return addHedge(placed, road, instance, ground, into);
     const auto formOf = [&](const ObjectInstance& stretch)
@@ -157,7 +157,8 @@ void placeInstance(const PlacedNetwork& placed, int road, const ObjectWords& wor
 
 } // namespace
 
-void placeObjects(const PlacedNetwork& placed, int road, const GroundHeight& ground, RoadThings& into)
+void placeObjects(const PlacedNetwork& placed, int road, const foundation::HeightInPlan& ground,
+                  RoadThings& into)
 {
     for (const RoadObject& object : placed.road(road).objects)
     {

@@ -64,15 +64,15 @@ void addPier(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
 }
 
 /// Adds piers where there is ground below, clear of other roads.
-void addPiers(const PlacedNetwork& placed, int road, const RoadStructure& bridge, const GroundHeight& ground,
-              RoadThings& into)
+void addPiers(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
+              const foundation::HeightInPlan& ground, RoadThings& into)
 {
     for (double along = 0.5 * kPierEveryM; along < bridge.length; along += kPierEveryM)
     {
         const auto s = pierAt(placed, road, bridge, bridge.s + along);
         if (!s) continue;
         const glm::dvec3 top = placed.surfacePoint(road, *s, sidesAt(placed.road(road), *s, 0.0).middle());
-        const auto height = ground ? ground(top.x, top.y) : std::nullopt;
+        const auto height = ground ? ground(glm::dvec2(top)) : std::nullopt;
         if (height && top.z - kDeckM - *height >= 1.5)
             addPier(placed, road, bridge, *s, top.z - *height + 1.0, into);
     }
@@ -111,8 +111,8 @@ void addEdge(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
     }
 }
 
-void addBridge(const PlacedNetwork& placed, int road, const RoadStructure& bridge, const GroundHeight& ground,
-               RoadThings& into)
+void addBridge(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
+               const foundation::HeightInPlan& ground, RoadThings& into)
 {
     const auto& plain = placed.road(road);
     for (const int side : {1, -1})
@@ -137,7 +137,8 @@ void addBridge(const PlacedNetwork& placed, int road, const RoadStructure& bridg
 
 } // namespace
 
-void placeStructures(const PlacedNetwork& placed, int road, const GroundHeight& ground, RoadThings& into)
+void placeStructures(const PlacedNetwork& placed, int road, const foundation::HeightInPlan& ground,
+                     RoadThings& into)
 {
     for (const RoadStructure& structure : placed.road(road).structures)
         if (structure.kind == osgRoads::core::StructureKind::bridge)
@@ -146,7 +147,7 @@ void placeStructures(const PlacedNetwork& placed, int road, const GroundHeight& 
             placeTunnel(placed, road, structure, into);
 }
 
-RoadThings placeRoadThings(const PlacedNetwork& placed, const GroundHeight& ground)
+RoadThings placeRoadThings(const PlacedNetwork& placed, const foundation::HeightInPlan& ground)
 {
     RoadThings things;
     for (int road = 0; road < static_cast<int>(placed.network().roads.size()); ++road)

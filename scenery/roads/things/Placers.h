@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <foundation/Heights.h>
+
 #include <osgRoads/core/query/ObjectInstances.h>
 
 #include "scenery/roads/things/ObjectModels.h"
@@ -13,12 +15,12 @@ namespace scenery::roads
 void placeSignals(const osgRoads::core::PlacedNetwork& placed, int road, RoadThings& into);
 
 /// Adds the objects of a road.
-void placeObjects(const osgRoads::core::PlacedNetwork& placed, int road, const GroundHeight& ground,
-                  RoadThings& into);
+void placeObjects(const osgRoads::core::PlacedNetwork& placed, int road,
+                  const foundation::HeightInPlan& ground, RoadThings& into);
 
 /// Adds the bridges and tunnels of a road.
-void placeStructures(const osgRoads::core::PlacedNetwork& placed, int road, const GroundHeight& ground,
-                     RoadThings& into);
+void placeStructures(const osgRoads::core::PlacedNetwork& placed, int road,
+                     const foundation::HeightInPlan& ground, RoadThings& into);
 
 /// Adds a rail, wall or fence that an object draws along a road without a break.
 void placeStretch(const osgRoads::core::PlacedNetwork& placed, int road, StretchForm form,

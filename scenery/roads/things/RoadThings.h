@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <glm/mat3x3.hpp>
 
 #include <osgRoads/core/place/PlacedNetwork.h>
@@ -16,9 +17,6 @@
 
 namespace scenery::roads
 {
-
-/// Returns the height of the ground at a place of the scene, or nothing where there is none; metres.
-using GroundHeight = std::function<std::optional<double>(double x, double y)>;
 
 /// A model where it stands. Frame: the scene's; columns of `axes` are the model's x, y and z.
 struct StandingThing
@@ -72,6 +70,7 @@ struct RoadThings
 /// sides. Signals with a pole object within 0.5 m have no post of their own. Objects without a model are grey
 /// boxes of their size.
 /// Source: ASAM OpenDRIVE 1.8, 13 and 14. Cost: linear.
-RoadThings placeRoadThings(const osgRoads::core::PlacedNetwork& placed, const GroundHeight& ground = {});
+RoadThings placeRoadThings(const osgRoads::core::PlacedNetwork& placed,
+                           const foundation::HeightInPlan& ground = {});
 
 } // namespace scenery::roads

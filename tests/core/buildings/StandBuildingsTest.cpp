@@ -24,7 +24,7 @@ ShapeSet oneHouse()
 
 TEST(StandBuildings, TheDoorIsOnTheStreetsSideAndTheFloorAtTheGroundThere)
 {
-    const auto slope = [](double eastM, double) { return std::optional(100.0 + 0.15 * eastM); };
+    const auto slope = [](const glm::dvec2& plan) { return std::optional(100.0 + 0.15 * plan.x); };
     for (const double streetM : {-20.0, 30.0})
     {
         const auto street = [&](const glm::dvec3& from)
@@ -41,7 +41,7 @@ TEST(StandBuildings, TheDoorIsOnTheStreetsSideAndTheFloorAtTheGroundThere)
 
 TEST(StandBuildings, WithoutAStreetTheDoorIsOnTheLongestSide)
 {
-    const auto slope = [](double, double northM) { return std::optional(100.0 + 0.2 * northM); };
+    const auto slope = [](const glm::dvec2& plan) { return std::optional(100.0 + 0.2 * plan.y); };
     const StandingBuildings made = standBuildings(oneHouse(), slope);
     ASSERT_EQ(made.buildings.size(), 1u);
     EXPECT_EQ(made.buildings[0].doorEdge, 0u);
@@ -50,7 +50,7 @@ TEST(StandBuildings, WithoutAStreetTheDoorIsOnTheLongestSide)
 
 TEST(StandBuildings, NoMoreThanAStoreyOfTheUphillWallLiesInTheGround)
 {
-    const auto slope = [](double eastM, double) { return std::optional(100.0 + 0.3 * eastM); };
+    const auto slope = [](const glm::dvec2& plan) { return std::optional(100.0 + 0.3 * plan.x); };
     const auto street = [](const glm::dvec3& from) { return std::optional(glm::dvec2(-20.0, from.y)); };
     const StandingBuildings made = standBuildings(oneHouse(), slope, street);
     ASSERT_EQ(made.buildings.size(), 1u);
@@ -59,7 +59,7 @@ TEST(StandBuildings, NoMoreThanAStoreyOfTheUphillWallLiesInTheGround)
 
 TEST(StandBuildings, OnASteepSlopeTheFloorIsLowerAndNoWallFloats)
 {
-    const auto slope = [](double eastM, double) { return std::optional(100.0 + 1.5 * eastM); };
+    const auto slope = [](const glm::dvec2& plan) { return std::optional(100.0 + 1.5 * plan.x); };
     const StandingBuildings made = standBuildings(oneHouse(), slope);
     ASSERT_EQ(made.buildings.size(), 1u);
     EXPECT_LT(made.buildings[0].floorM, 100.0 + 5.0);
@@ -68,7 +68,7 @@ TEST(StandBuildings, OnASteepSlopeTheFloorIsLowerAndNoWallFloats)
 
 TEST(StandBuildings, WhatLiesBeyondTheGroundIsCounted)
 {
-    const auto none = [](double eastM, double) { return eastM < 5.0 ? std::optional(1.0) : std::nullopt; };
+    const auto none = [](const glm::dvec2& plan) { return plan.x < 5.0 ? std::optional(1.0) : std::nullopt; };
     const StandingBuildings made = standBuildings(oneHouse(), none);
     EXPECT_TRUE(made.buildings.empty());
     EXPECT_EQ(made.beyondGround, 1u);
@@ -93,7 +93,7 @@ ShapeSet threeParts(const std::string& ofTower)
 
 TEST(StandBuildings, PartsOfOneBuildingShareTheFloorOfTheLargestOnTheGround)
 {
-    const auto slope = [](double eastM, double) { return std::optional(100.0 + 0.15 * eastM); };
+    const auto slope = [](const glm::dvec2& plan) { return std::optional(100.0 + 0.15 * plan.x); };
     const auto street = [](const glm::dvec3& from) { return std::optional(glm::dvec2(-20.0, from.y)); };
     const StandingBuildings made = standBuildings(threeParts("9"), slope, street);
     ASSERT_EQ(made.buildings.size(), 3u);

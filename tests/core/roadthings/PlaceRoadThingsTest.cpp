@@ -169,8 +169,8 @@ TEST(PlaceRoadThings, RailsBridgesAndTunnelsAreWholeModels)
     auto network = std::make_shared<osgRoads::core::RoadNetwork>();
     network->roads.push_back(road);
     network->index();
-    const auto things =
-        roads::placeRoadThings(osgRoads::core::PlacedNetwork(network), [](double, double) { return -9.0; });
+    const auto things = roads::placeRoadThings(osgRoads::core::PlacedNetwork(network),
+                                               [](const glm::dvec2&) { return -9.0; });
     // Rail: 3 pieces. Bridge: two edges with three bars each, a deck, two piers. Tunnel: tube, two walkways
     // and two portals, each with what hides the tube behind it.
     EXPECT_EQ(things.own.size(), 3U + 11U + 7U);
@@ -283,7 +283,7 @@ TEST(PlaceRoadThings, PiersStandClearOfTheRoadBelow)
         network->index();
         std::vector<double> piers;
         for (const auto& own : roads::placeRoadThings(osgRoads::core::PlacedNetwork(network),
-                                                      [](double, double) { return 0.0; })
+                                                      [](const glm::dvec2&) { return 0.0; })
                                    .own)
             if (own.origin.x > 61.0) piers.push_back(own.origin.x); // the others begin with the bridge
         return piers;

@@ -18,7 +18,7 @@ TEST(Street, IsDrawnAsAWhole)
     const auto network = std::make_shared<const osgRoads::core::RoadNetwork>(read->network);
     EXPECT_TRUE(roads::countThings(*network).withoutModel.empty());
     const roads::RoadThings things =
-        roads::placeRoadThings(osgRoads::core::PlacedNetwork(network), [](double, double) { return 0.0; });
+        roads::placeRoadThings(osgRoads::core::PlacedNetwork(network), [](const glm::dvec2&) { return 0.0; });
     EXPECT_GT(things.standing.size(), 60U);
     EXPECT_GT(things.lamps.size(), 7U);
     for (const auto& own : things.own)

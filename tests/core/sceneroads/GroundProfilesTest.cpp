@@ -127,8 +127,8 @@ std::optional<double> slopeM(const glm::dvec2& plan)
     return 0.08 * plan.x;
 }
 
-GroundProfiles laidOn(const std::shared_ptr<const RoadNetwork>& network, const BaseSurface::Ground& ground,
-                      const GroundProfileLimits& limits = {})
+GroundProfiles laidOn(const std::shared_ptr<const RoadNetwork>& network,
+                      const foundation::HeightInPlan& ground, const GroundProfileLimits& limits = {})
 {
     const auto extent = scenery::extentOf(*network);
     return {network, BaseSurface(extent.low - 1000.0, extent.high + 1000.0, ground), limits};
@@ -234,7 +234,7 @@ Worst worstOf(const RoadNetwork& network, const GroundProfiles& profiles)
     return worstOf(network, heightsOf(network, profiles));
 }
 
-Worst worstOf(const std::shared_ptr<const RoadNetwork>& network, const BaseSurface::Ground& ground,
+Worst worstOf(const std::shared_ptr<const RoadNetwork>& network, const foundation::HeightInPlan& ground,
               const GroundProfileLimits& limits = {})
 {
     return worstOf(*network, laidOn(network, ground, limits));

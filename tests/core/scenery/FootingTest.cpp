@@ -12,8 +12,8 @@ using namespace scenery;
 Ground plane(double alongEast, double alongNorth)
 {
     Ground ground;
-    ground.heightM = [=](double east, double north) -> std::optional<double>
-    { return 100.0 + alongEast * east + alongNorth * north; };
+    ground.heightM = [=](const glm::dvec2& plan) -> std::optional<double>
+    { return 100.0 + alongEast * plan.x + alongNorth * plan.y; };
     return ground;
 }
 
@@ -42,7 +42,7 @@ TEST(Footing, IsRefusedWhereTheGroundIsTooSteepForIt)
     EXPECT_FALSE(standOn(plane(0.2, 0.0), kHouse, {0.0, 0.0}, kEast, 1.0));
     EXPECT_TRUE(standOn(plane(0.0, 0.12), kHouse, {0.0, 0.0}, kEast, 1.0)); // along its shorter side
     Ground nothing;
-    nothing.heightM = [](double, double) -> std::optional<double> { return std::nullopt; };
+    nothing.heightM = [](const glm::dvec2&) -> std::optional<double> { return std::nullopt; };
     EXPECT_FALSE(standOn(nothing, kHouse, {0.0, 0.0}, kEast, 1.0));
 }
 
@@ -63,7 +63,7 @@ TEST(Footing, OfACarLiesInTheSlope)
 TEST(Footing, OfACarIsRefusedOnARidge)
 {
     Ground saddle;
-    saddle.heightM = [](double east, double north) -> std::optional<double> { return 0.3 * east * north; };
+    saddle.heightM = [](const glm::dvec2& plan) -> std::optional<double> { return 0.3 * plan.x * plan.y; };
     EXPECT_FALSE(standOn(saddle, kCar, {0.0, 0.0}, kEast, 1.0));
 }
 

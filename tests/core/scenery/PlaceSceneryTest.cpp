@@ -132,7 +132,7 @@ TEST_F(PlacedVillage, FindsNothingBeyondTheGroundOrWithoutAPath)
     const PlacedScenery placed = place();
     EXPECT_EQ(placed.reports[0].placed, 0u);
     EXPECT_EQ(placed.reports[3].placed, 0u); // near a path
-    _ground.heightM = [](double, double) -> std::optional<double> { return std::nullopt; };
+    _ground.heightM = [](const glm::dvec2&) -> std::optional<double> { return std::nullopt; };
     EXPECT_TRUE(place().placements.empty());
 }
 

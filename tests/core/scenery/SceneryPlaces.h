@@ -17,8 +17,9 @@ using namespace scenery;
 inline Ground hills()
 {
     Ground ground;
-    ground.heightM = [](double east, double north) -> std::optional<double>
+    ground.heightM = [](const glm::dvec2& plan) -> std::optional<double>
     {
+        const double east = plan.x, north = plan.y;
         if (std::abs(east) > 4000.0 || std::abs(north) > 4000.0) return std::nullopt;
         return 60.0 + 0.03 * east + 40.0 * std::sin(east / 300.0) * std::cos(north / 350.0) +
                0.15 * std::sin(east / 9.0) * std::sin(north / 7.0);

@@ -15,15 +15,15 @@ using scenery::StructureKind;
 namespace
 {
 
-std::optional<double> flat(double, double)
+std::optional<double> flat(const glm::dvec2&)
 {
     return 100.0;
 }
 
 /// A ridge of 17 m across the line.
-std::optional<double> ridge(double eastM, double)
+std::optional<double> ridge(const glm::dvec2& plan)
 {
-    return 100.0 + 17.0 * std::exp(-std::pow((eastM - 150.0) / 40.0, 2.0));
+    return 100.0 + 17.0 * std::exp(-std::pow((plan.x - 150.0) / 40.0, 2.0));
 }
 
 Structure line(StructureKind kind, std::vector<glm::dvec2> points)
@@ -37,14 +37,14 @@ Structure line(StructureKind kind, std::vector<glm::dvec2> points)
 
 /// The least height of all wires above the ground.
 double leastClearanceM(const Structure& made, const std::vector<scenery::Support>& supports,
-                       const scenery::GroundHeight& ground)
+                       const foundation::HeightInPlan& ground)
 {
     double least = 1e9;
     for (std::size_t i = 0; i + 1 < supports.size(); ++i)
         for (const auto& wire : scenery::wiresOf(made.kind))
             for (const glm::dvec3& point : catenary(wireAt(supports[i], wire), wireAt(supports[i + 1], wire),
                                                     scenery::kLineConstantM, 40))
-                least = std::min(least, point.z - *ground(point.x, point.y));
+                least = std::min(least, point.z - *ground(glm::dvec2(point)));
     return least;
 }
 
@@ -78,7 +78,7 @@ TEST(PowerLine, StandsAtTheMapsPointsAndBetweenThemWhereASpanIsTooLong)
     ASSERT_EQ(more.size(), 5u);
     EXPECT_NEAR(more[1].foot.x, 350.0, 1e-9);
     EXPECT_EQ(supportsOf(line(StructureKind::poleLine, {{0, 0}, {200, 0}}), flat).size(), 4u);
-    const auto nowhere = [](double, double) { return std::optional<double>(); };
+    const auto nowhere = [](const glm::dvec2&) { return std::optional<double>(); };
     EXPECT_TRUE(supportsOf(line(StructureKind::powerLine, {{0, 0}, {500, 0}}), nowhere).empty());
 }
 

@@ -17,10 +17,10 @@ using scenery::structureOf;
 namespace
 {
 
-std::optional<double> slope(double eastM, double northM)
+std::optional<double> slope(const glm::dvec2& plan)
 {
-    if (std::abs(eastM) > 5000.0) return std::nullopt;
-    return 200.0 + 0.1 * eastM - 0.05 * northM;
+    if (std::abs(plan.x) > 5000.0) return std::nullopt;
+    return 200.0 + 0.1 * plan.x - 0.05 * plan.y;
 }
 
 /// Six times the volume that triangles enclose, by their turn: positive where they look outwards.
@@ -53,8 +53,8 @@ std::pair<double, double> heightsOf(const scenery::StructureSquares& squares)
             for (const glm::vec3& position : facets->positions)
             {
                 const glm::dvec3 place = square.origin + glm::dvec3(position);
-                low = std::min(low, place.z - *slope(place.x, place.y));
-                high = std::max(high, place.z - *slope(place.x, place.y));
+                low = std::min(low, place.z - *slope(glm::dvec2(place)));
+                high = std::max(high, place.z - *slope(glm::dvec2(place)));
             }
     return {low, high};
 }
@@ -135,7 +135,7 @@ TEST(Structures, ARailwayWithHeightsLiesOnThem)
     ASSERT_TRUE(made);
     ASSERT_EQ(made->heightsM.size(), 3u);
     std::size_t beyond = 0;
-    const auto level = [](double, double) { return std::optional(200.0); };
+    const auto level = [](const glm::dvec2&) { return std::optional(200.0); };
     double low = 1e9, high = -1e9;
     for (const auto& [number, square] : scenery::structureFacets({&*made, 1}, level, beyond))
         for (const glm::vec3& position : square.low.positions)
@@ -160,7 +160,7 @@ TEST(Structures, ATunnelOfARailwayHasATubeWithPortalsThatTakesTheGround)
     EXPECT_TRUE(made->isTunnel && made->isPortalAtStart);
     EXPECT_FALSE(made->isPortalAtEnd);
     std::size_t beyond = 0;
-    const auto level = [](double, double) { return std::optional(200.0); };
+    const auto level = [](const glm::dvec2&) { return std::optional(200.0); };
     double high = -1e9, front = 1e9, left = -1e9, right = 1e9;
     for (const auto& [number, square] : scenery::structureFacets({&*made, 1}, level, beyond))
         for (const Facets* part : {&square.low})
@@ -194,7 +194,7 @@ TEST(Structures, AFootbridgeHasADeckRailingsAndPiersAndARampIsSolid)
         structureOf({{0, 0}, {20, 0}}, {{"kind", "footramp"}, {"width", "3"}, {"heights", "205;205"}}, 1);
     ASSERT_TRUE(bridge && ramp);
     EXPECT_EQ(bridge->piersM, std::vector{10.0});
-    const auto level = [](double, double) { return std::optional(200.0); };
+    const auto level = [](const glm::dvec2&) { return std::optional(200.0); };
     const auto span = [&](const Structure& made, double eastM)
     {
         std::size_t beyond = 0;
@@ -221,7 +221,7 @@ TEST(Structures, RailsInAStreetHaveNeitherBedNorSleepers)
     auto embedded = tags;
     embedded["embedded"] = "yes";
     std::size_t beyond = 0;
-    const auto level = [](double, double) { return std::optional(200.5); };
+    const auto level = [](const glm::dvec2&) { return std::optional(200.5); };
     const auto count = [&](const scenery::StructureTags& of)
     {
         const auto made = structureOf({{0, 0}, {20, 0}}, of, 1);
@@ -237,8 +237,8 @@ TEST(Structures, ARailwayBridgeIsStraight)
     bridge.kind = StructureKind::railway;
     bridge.isBridge = true;
     bridge.line = {{0, 0}, {100, 0}};
-    const auto gorge = [](double eastM, double) -> std::optional<double>
-    { return 200.0 - 0.02 * eastM * (100.0 - eastM); };
+    const auto gorge = [](const glm::dvec2& plan) -> std::optional<double>
+    { return 200.0 - 0.02 * plan.x * (100.0 - plan.x); };
     std::size_t beyond = 0;
     double low = 1e9;
     for (const auto& [number, square] : scenery::structureFacets({&bridge, 1}, gorge, beyond))

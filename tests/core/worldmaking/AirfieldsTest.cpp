@@ -84,7 +84,7 @@ TEST(Airfields, ARunwayIsEvenAndItsTaxiwayAndApronMeetIt)
     EXPECT_EQ(report.taxiways, 1u);
     EXPECT_EQ(report.aprons, 1u);
     EXPECT_EQ(report.steepRunways, 0u);
-    const worldmaking::PlanHeight after = [&](const glm::dvec2& place) -> std::optional<double>
+    const foundation::HeightInPlan after = [&](const glm::dvec2& place) -> std::optional<double>
     { return works.heightM(place, *waving(place)); };
     const auto from = plane->toPlan(runways[0].from), to = plane->toPlan(runways[0].to);
     const auto figures = worldmaking::runwayFigures(*from, *to, runways[0].widthM, after);

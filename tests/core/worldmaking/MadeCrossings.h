@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <gtest/gtest.h>
 
 #include "MadeStreets.h"
@@ -36,7 +37,7 @@ inline double level(double, double)
 struct MadeCrossing
 {
     Streets streets;
-    std::function<std::optional<double>(double, double)> groundM;
+    foundation::HeightInPlan groundM;
 
     const Road& road(const std::string& name) const
     {
@@ -93,7 +94,7 @@ inline MadeCrossing crossingOf(const MadeMap& map, const Height& heightM = level
     };
     auto streets = buildStreets(*read, ground, "made.osm", &*land);
     EXPECT_TRUE(streets) << (streets ? "" : streets.error().message());
-    return {std::move(*streets), [](double, double) { return std::optional(200.0); }};
+    return {std::move(*streets), [](const glm::dvec2&) { return std::optional(200.0); }};
 }
 
 /// A street from west to east, of which the middle 60 m have tags of their own.

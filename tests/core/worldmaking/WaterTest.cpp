@@ -119,7 +119,7 @@ TEST(WaterWorks, ALakeAndItsRiverLieAsWaterDoes)
     const Earthworks shaped(works, 0.0, falling);
     const auto lake = plane->toPlan(map.shapes[0].paths);
     ASSERT_TRUE(lake);
-    const worldmaking::PlanHeight after = [&](const glm::dvec2& place) -> std::optional<double>
+    const foundation::HeightInPlan after = [&](const glm::dvec2& place) -> std::optional<double>
     { return shaped.heightM(place, *falling(place)); };
     EXPECT_TRUE(worldmaking::isEvenWater(worldmaking::waterFigures(*lake, {}, after)));
     EXPECT_LT(worldmaking::waterFigures(*lake, {}, after).slope, 1e-9);

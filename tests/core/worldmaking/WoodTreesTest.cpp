@@ -94,7 +94,7 @@ TEST(WoodTrees, AnEyeOverAWoodSeesTreesForAKilometre)
     LandReport land;
     const CoverRaster cover = coverRasterOf(made->land, *plane, std::nullopt, land);
     TreeReport report;
-    const PlanHeight height = [](const glm::dvec2&) { return std::optional<double>(400.0); };
+    const foundation::HeightInPlan height = [](const glm::dvec2&) { return std::optional<double>(400.0); };
     std::vector<Tree> trees = treesOf(made->land, *plane, {room, cover, {}, {}}, height, report);
     const double nearM = 2.0 * report.spacingM;
     const Seen seen = seenFrom(cover, TreeFinder(trees), nearM);
@@ -121,7 +121,7 @@ TEST(WoodTrees, NoneStandsWhereThereIsNoGround)
     const RoadRoom room(none);
     LandReport land;
     const CoverRaster cover = coverRasterOf(map, *plane, std::nullopt, land);
-    const auto eastmost = [&](const PlanHeight& height)
+    const auto eastmost = [&](const foundation::HeightInPlan& height)
     {
         TreeReport report;
         double east = -1e9;

@@ -36,7 +36,7 @@ struct World
             std::make_shared<osgRoads::core::RoadNetwork>(std::move(streets.network)));
         street = glm::dvec2(roads->surfacePoint(0, 200.0, 0.0));
         things.roads = roads.get();
-        things.groundM = [this](double, double) { return std::optional(groundM); };
+        things.groundM = [this](const glm::dvec2&) { return std::optional(groundM); };
         things.houses = {house(street + glm::dvec2(0, 20)), house(street + glm::dvec2(40, 20))};
         things.plants = {street + glm::dvec2(0, -20), street + glm::dvec2(20, -20)};
         things.waters = {box(street + glm::dvec2(-100, 50), 30.0)};

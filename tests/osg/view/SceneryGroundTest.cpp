@@ -35,9 +35,9 @@ PlacedScenery placedOn(const osgTerrainROAM::RoamTerrain& terrain)
         "where": {"circle": {"eastM": 3000, "northM": 2000, "radiusM": 1800}, "slopeDeg": [0, 60], "inWater": true}}]})",
                      "wood.json");
     Ground ground;
-    ground.heightM = [&](double east, double north) -> std::optional<double>
+    ground.heightM = [&](const glm::dvec2& plan) -> std::optional<double>
     {
-        const auto point = osgTerrainROAM::core::groundAt(terrain.tile()->tile, east, north);
+        const auto point = osgTerrainROAM::core::groundAt(terrain.tile()->tile, plan.x, plan.y);
         return point ? std::optional(point->position.z) : std::nullopt;
     };
     const std::vector<Measures> measures{{5.0, 0.4, {-0.4, -0.4}, {0.4, 0.4}, Stance::upright, true}};

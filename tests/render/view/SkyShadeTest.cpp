@@ -28,7 +28,7 @@ public:
         air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(180.0, sunDeg);
         const rendered::ViewScene scene(air);
         scenery::SkyShadeNode shade(wallAndCrown(),
-                                    [=](double, double) { return std::optional<double>(groundM); });
+                                    [=](const glm::dvec2&) { return std::optional<double>(groundM); });
         shade.setShown(isShown);
         const glm::dvec3 eye(0.0, -3.0, 24.0);
         shade.follow(eye);

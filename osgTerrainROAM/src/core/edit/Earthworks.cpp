@@ -120,7 +120,7 @@ public:
     }
 
     /// How far slopes reach from the edge of the bed.
-    double slopesM(const Earthworks::Ground& ground) const
+    double slopesM(const foundation::HeightInPlan& ground) const
     {
         double mostM = 0.0;
         const auto look = [&](const glm::dvec2& place)
@@ -209,7 +209,7 @@ struct Earthworks::Works
     double flatM = 0.0;
     std::size_t count = 0; ///< of works
 
-    void add(Piece piece, const Ground& ground)
+    void add(Piece piece, const foundation::HeightInPlan& ground)
     {
         const double slopes = piece.slopesM(ground);
         const PlanBox box = piece.boundsM().grownBy(slopes + flatM + piece.bedM());
@@ -223,7 +223,7 @@ struct Earthworks::Works
         slopesM.push_back(slopes);
     }
 
-    void addLine(const Earthwork& work, const Ground& ground)
+    void addLine(const Earthwork& work, const foundation::HeightInPlan& ground)
     {
         const auto& line = work.paths.front();
         const auto& heights = work.heightsM.front();
@@ -238,7 +238,7 @@ struct Earthworks::Works
     }
 };
 
-Earthworks::Earthworks(std::vector<Earthwork> works, double flatM, const Ground& ground)
+Earthworks::Earthworks(std::vector<Earthwork> works, double flatM, const foundation::HeightInPlan& ground)
     : _works(std::make_unique<Works>())
 {
     _works->flatM = flatM;

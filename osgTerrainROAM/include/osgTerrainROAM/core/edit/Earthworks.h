@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Heights.h>
 #include <glm/vec2.hpp>
 
 #include <osgTerrainROAM/core/edit/PlanShape.h>
@@ -40,12 +41,10 @@ struct Earthwork
 class Earthworks
 {
 public:
-    using Ground = std::function<std::optional<double>(const glm::dvec2& place)>;
-
     /// `flatM`: beds are wider by this much, so that triangles across their edges are level. `ground` tells
     /// how far the slopes reach, kFarthestM at most. Works with too few points, or without heights, count as
     /// none.
-    Earthworks(std::vector<Earthwork> works, double flatM, const Ground& ground);
+    Earthworks(std::vector<Earthwork> works, double flatM, const foundation::HeightInPlan& ground);
     ~Earthworks();
     Earthworks(Earthworks&&) noexcept;
     Earthworks& operator=(Earthworks&&) noexcept;
