@@ -99,7 +99,7 @@ ActionTicket ScenePerformer::carryOut(const TeleportAction& action, int actor)
     const auto placed = _positions.place(action.position);
     if (!placed) return {};
     motion(actor).teleport(*placed, timeS());
-    _lent.restart(static_cast<std::size_t>(actor), timeS());
+    _external.restart(static_cast<std::size_t>(actor), timeS());
     if (_roads && timeS() > 0.0) motion(actor).standForAStep(); // as in esmini (decision 30)
     return {};
 }
@@ -187,14 +187,14 @@ ActionTicket ScenePerformer::carryOut(const RandomRouteAction&, int actor)
 bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
 {
     const auto index = static_cast<std::size_t>(actor);
-    if (_lent.has(index) && movesSideways(action)) return _lent.holds(index, ActionDomain::lateral);
-    const bool isLent = _lent.has(index) && _lent.holds(index, ActionDomain::longitudinal);
-    SpeedController* const active = _lent.has(index) ? nullptr : driverOf(index);
-    if (!isLent && !active) return false;
+    if (_external.has(index) && movesSideways(action)) return _external.holds(index, ActionDomain::lateral);
+    const bool isExternal = _external.has(index) && _external.holds(index, ActionDomain::longitudinal);
+    SpeedController* const active = _external.has(index) ? nullptr : driverOf(index);
+    if (!isExternal && !active) return false;
     if (const auto* content = std::get_if<SpeedAction>(&action))
     {
         const auto* const target = std::get_if<AbsoluteTargetSpeed>(&content->target);
-        if (target && isLent) _lent.askForSpeed(index, target->speedMps);
+        if (target && isExternal) _external.askForSpeed(index, target->speedMps);
         if (target && active) active->askFor(target->speedMps);
         return true;
     }
@@ -217,19 +217,19 @@ const Controller* ScenePerformer::controllerOf(const std::string& controller, in
 }
 
 /// A controller with physics moves the entity; any other one its speed alone.
-void ScenePerformer::activate(const std::string& name, const LentMotions::Wish& wish, int actor)
+void ScenePerformer::activate(const std::string& name, const ExternalControl::Wish& wish, int actor)
 {
     const auto index = static_cast<std::size_t>(actor);
     const Controller* const controller = controllerOf(name, actor);
     if (controller && controller->hasPhysics())
     {
         _active[index].reset();
-        _lent.wish(index, *controller, wish, timeS());
+        _external.wish(index, *controller, wish, timeS());
         for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
-            if (_lent.holds(index, domain)) end(actor, domain);
+            if (_external.holds(index, domain)) end(actor, domain);
         return;
     }
-    if (wish.longitudinal.value_or(false)) _lent.release(index, timeS());
+    if (wish.longitudinal.value_or(false)) _external.release(index, timeS());
     if (!wish.longitudinal) return;
     _active[index].reset();
     if (!*wish.longitudinal || !controller) return;

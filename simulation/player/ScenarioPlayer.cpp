@@ -31,9 +31,9 @@ public:
           _runner(scenario.storyboard, _performer)
     {
         for (const auto& [entity, motion] : options.motions)
-            _performer.lent().lend(static_cast<std::size_t>(scenario.entityIndex(entity)), motion);
+            _performer.external().attach(static_cast<std::size_t>(scenario.entityIndex(entity)), motion);
         _performer.performInit();
-        begun = _performer.beginLent();
+        begun = _performer.beginExternal();
         publish();
         look();
         _runner.step(clock.seconds());
@@ -56,8 +56,8 @@ public:
     }
 
     bool isFinished() const { return _runner.isFinished(); }
-    bool areMotionsDone() const { return _performer.lent().areDone(); }
-    std::vector<std::string> notes() const { return _performer.lent().notes(); }
+    bool areMotionsDone() const { return _performer.external().areDone(); }
+    std::vector<std::string> notes() const { return _performer.external().notes(); }
     const std::map<std::string, bool>& monitors() const { return _performer.monitors(); }
     const std::vector<StoryboardLogEntry>& log() const { return _runner.elements().log(); }
     const std::map<std::string, std::string>& signalStates() const { return _performer.signals().states(); }

@@ -45,9 +45,9 @@ ScenePerformer::ScenePerformer(const Place& place)
       _roads(place.roads),
       _clock(&place.clock),
       _environment(&place.environment),
-      _lent({place.scenario, _motions, [this] { return _environment->at(timeS()); },
-             [](const EntityMotion& motion) { return motion.wayAhead(kWayM); }},
-            place.motionSource),
+      _external({place.scenario, _motions, [this] { return _environment->at(timeS()); },
+                 [](const EntityMotion& motion) { return motion.wayAhead(kWayM); }},
+                place.motionSource),
       _positions(place.frame, place.roads,
                  [this](const std::string& entity) -> const EntityState*
                  {
@@ -108,17 +108,18 @@ void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
     for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (!_lent.has(i) && !driverOf(i) && !_isAbsent[i]) _motions[i].advanceTo(timeS(), _clock->stepS());
+        if (!_external.has(i) && !driverOf(i) && !_isAbsent[i])
+            _motions[i].advanceTo(timeS(), _clock->stepS());
     moveControlled();
-    moveLent();
+    moveExternal();
     _trailers.follow(_motions);
     _traffic.step(*this);
     publish();
 }
 
-foundation::Outcome ScenePerformer::beginLent()
+foundation::Outcome ScenePerformer::beginExternal()
 {
-    auto begun = _lent.beginAll();
+    auto begun = _external.beginAll();
     publish();
     return begun;
 }
@@ -129,17 +130,17 @@ void ScenePerformer::moveControlled()
     for (std::size_t i = 0; i < _motions.size(); ++i)
     {
         SpeedController* const driver = driverOf(i);
-        if (_lent.has(i) || !driver || _isAbsent[i]) continue;
+        if (_external.has(i) || !driver || _isAbsent[i]) continue;
         _motions[i].setSpeed(driver->speedAfter(*this, static_cast<int>(i)), timeS());
         _motions[i].advanceTo(timeS(), _clock->stepS());
     }
 }
 
 /// All see the others as they were before.
-void ScenePerformer::moveLent()
+void ScenePerformer::moveExternal()
 {
     const EnvironmentState environment = _environment->at(timeS());
-    _lent.advanceTo(
+    _external.advanceTo(
         timeS(),
         [&](std::size_t entity) {
             return Traffic{_states, _boxes, static_cast<int>(entity), &_signals.states(), &environment};
@@ -251,7 +252,7 @@ void ScenePerformer::vanish(int vehicle)
     for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
         end(vehicle, domain);
     _active[static_cast<std::size_t>(vehicle)].reset();
-    _lent.release(static_cast<std::size_t>(vehicle), timeS());
+    _external.release(static_cast<std::size_t>(vehicle), timeS());
     _isAbsent[static_cast<std::size_t>(vehicle)] = true;
     motion(vehicle).setSpeed(0.0, timeS());
 }

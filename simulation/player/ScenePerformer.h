@@ -10,7 +10,7 @@
 #include "simulation/clock/FixedClock.h"
 #include "simulation/player/EntityMotion.h"
 #include "simulation/player/EnvironmentState.h"
-#include "simulation/player/LentMotions.h"
+#include "simulation/player/ExternalControl.h"
 #include "simulation/player/PedalDrive.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/player/SignalPlan.h"
@@ -43,11 +43,11 @@ public:
     explicit ScenePerformer(const Place& place);
 
     /// The entities that vehicles with physics move.
-    LentMotions& lent() { return _lent; }
-    const LentMotions& lent() const { return _lent; }
+    ExternalControl& external() { return _external; }
+    const ExternalControl& external() const { return _external; }
 
     /// Lets lent entities begin where they stand; after performInit(). Errors: one cannot.
-    foundation::Outcome beginLent();
+    foundation::Outcome beginExternal();
 
     /// Performs the actions of Init: those of all entities that place something first, because positions may
     /// refer to entities that stand further down.
@@ -131,13 +131,13 @@ private:
 
     SpeedController* driverOf(std::size_t entity) const;
     const Controller* controllerOf(const std::string& name, int actor) const;
-    void activate(const std::string& controller, const LentMotions::Wish& wish, int actor);
+    void activate(const std::string& controller, const ExternalControl::Wish& wish, int actor);
     bool isHeld(const PrivateAction& action, int actor);
     void moveControlled();
     void collide();
     std::optional<RoadPlace> laneUnder(const EntityState& state) const;
     void publish();
-    void moveLent();
+    void moveExternal();
     std::optional<glm::dvec3> askedPlace(std::size_t entity) const;
 
     const Scenario* _scenario;
@@ -146,7 +146,7 @@ private:
     const FixedClock* _clock;
     EnvironmentClock* _environment;
     std::vector<EntityMotion> _motions;
-    LentMotions _lent;
+    ExternalControl _external;
     std::vector<BoundingBox> _boxes;
     std::vector<EntityState> _states;
     PositionSolver _positions;

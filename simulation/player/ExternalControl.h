@@ -12,10 +12,10 @@
 namespace simulation
 {
 
-/// The entities that vehicles with physics move in place of the actions: lent for the whole play, or by a
+/// The entities that vehicles with physics move in place of the actions: attached for the whole play, or by a
 /// controller while it is active. A vehicle has one body, so it moves its entity while either domain is its
 /// own; in the other domain it does what the scenario asks.
-class LentMotions
+class ExternalControl
 {
 public:
     /// Which domains a controller is given or loses; nothing: as before.
@@ -34,10 +34,10 @@ public:
     };
 
     /// `source` may be null: then controllers of that kind leave the entity to the scenario.
-    LentMotions(Place place, std::shared_ptr<MotionSource> source);
+    ExternalControl(Place place, std::shared_ptr<MotionSource> source);
 
     /// Lets something move an entity for the whole play, from beginAll() on.
-    void lend(std::size_t entity, std::shared_ptr<ExternalMotion> motion);
+    void attach(std::size_t entity, std::shared_ptr<ExternalMotion> motion);
 
     /// Gives domains of an entity to a controller, or takes them back; before beginAll() from then on.
     void wish(std::size_t entity, const Controller& controller, const Wish& wish, double timeS);
@@ -56,29 +56,29 @@ public:
     void advanceTo(double timeS, const std::function<Traffic(std::size_t)>& traffic,
                    const std::function<std::optional<glm::dvec3>(std::size_t)>& askedPlace);
 
-    bool has(std::size_t entity) const { return _lent[entity].motion != nullptr; }
+    bool has(std::size_t entity) const { return _external[entity].motion != nullptr; }
     bool holds(std::size_t entity, ActionDomain domain) const;
-    void askForSpeed(std::size_t entity, double speedMps) { _lent[entity].motion->askForSpeed(speedMps); }
+    void askForSpeed(std::size_t entity, double speedMps) { _external[entity].motion->askForSpeed(speedMps); }
 
-    /// Whether some are lent for the whole play, and all of them are done.
+    /// Whether some are attached for the whole play, and all of them are done.
     bool areDone() const;
 
     /// What a person should know: controllers that could not begin, crashes. A line each.
     std::vector<std::string> notes() const;
 
 private:
-    struct Lent
+    struct Attachment
     {
         std::shared_ptr<ExternalMotion> motion; ///< null: the entity moves by its actions
-        std::optional<Controller> controller;   ///< absent: lent for the whole play
+        std::optional<Controller> controller;   ///< absent: attached for the whole play
         bool isLongitudinal = true, isLateral = true;
     };
 
-    foundation::Outcome begin(std::size_t entity, Lent lent, double timeS);
+    foundation::Outcome begin(std::size_t entity, Attachment attachment, double timeS);
 
     Place _place;
     std::shared_ptr<MotionSource> _source;
-    std::vector<Lent> _lent, _waiting; ///< of each entity; the latter until beginAll()
+    std::vector<Attachment> _external, _waiting; ///< of each entity; the latter until beginAll()
     bool _hasBegun = false;
     std::vector<std::string> _notes;
 };
