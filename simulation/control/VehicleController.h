@@ -25,7 +25,7 @@ struct ControlView
     double timeS = 0.0;    ///< of the simulation
 };
 
-/// Whatever controls a vehicle: recorded inputs, an autopilot, a driver, hands. It has its route and its
+/// Whatever controls a vehicle: recorded inputs, an autopilot, a driver, a person. It has its route and its
 /// orders from its maker.
 /// Determinism: the inputs depend on the views so far alone. Threads: one.
 class VehicleController

@@ -13,11 +13,11 @@
 #include "scene/RideAir.h"
 #include "scene/SceneTerrain.h"
 #include "scenery/roads/RoadsInScene.h"
-#include "simulation/control/HandOver.h"
+#include "simulation/control/ControlSwitch.h"
 #include "simulation/control/InputTrack.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
-#include "simulation/control/driver/RoadHands.h"
+#include "simulation/control/driver/ManualDriver.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/road/RoadScene.h"
 #include "simulation/vehicle/WeatherAir.h"
@@ -64,7 +64,7 @@ void tellDrive(const simulation::VehicleMotion& motion)
 {
     const simulation::ControlledVehicle& vehicle = motion.vehicle();
     const simulation::VehicleController* controller = vehicle.controller();
-    const auto* const seat = dynamic_cast<const simulation::HandOver*>(controller);
+    const auto* const seat = dynamic_cast<const simulation::ControlSwitch*>(controller);
     if (seat) controller = seat->automatic();
     const auto* const driver = dynamic_cast<const simulation::Driver*>(controller);
     const bool isWatched = seat && !seat->wishes().empty();
@@ -116,9 +116,9 @@ public:
         auto controller = driverOf(_request, *car, _path);
         if (!controller) return controller.error();
         if (_request.hasWindow())
-            *controller = std::make_unique<simulation::HandOver>(
-                std::move(*controller), simulation::driverHands(*car), _request.inputs.empty());
-        auto* const hands = dynamic_cast<simulation::HandOver*>(controller->get());
+            *controller = std::make_unique<simulation::ControlSwitch>(
+                std::move(*controller), simulation::manualDriver(*car), _request.inputs.empty());
+        auto* const manual = dynamic_cast<simulation::ControlSwitch*>(controller->get());
         auto driven = std::make_unique<simulation::ControlledVehicle>(std::move(car), std::move(*controller));
         if (!_request.recordInputs.empty()) driven->record();
         auto motion = std::make_shared<simulation::VehicleMotion>(
@@ -128,7 +128,7 @@ public:
         return Ride{osgSession::core::driveScenario(*_data,
                                                     {_path.placeAt(startM), _path.headingRadAt(startM)},
                                                     _origin, _request.conditions),
-                    osgSession::core::kRideEntity, std::move(motion), "drive", hands};
+                    osgSession::core::kRideEntity, std::move(motion), "drive", manual};
     }
 
 private:

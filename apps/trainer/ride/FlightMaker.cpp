@@ -10,7 +10,7 @@
 #include "osgSession/src/core/RideScenario.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/flight/Autopilot.h"
-#include "simulation/control/flight/FlightHands.h"
+#include "simulation/control/flight/ManualPilot.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/vehicle/WeatherAir.h"
 
@@ -86,11 +86,11 @@ foundation::Result<std::unique_ptr<simulation::VehicleController>>
 FlightMaker::seated(std::unique_ptr<simulation::VehicleController> automatic,
                     const simulation::DynamicVehicle& aircraft) const
 {
-    auto hands = simulation::pilotHands(aircraft);
-    if (!hands) return hands.error();
+    auto manual = simulation::manualPilot(aircraft);
+    if (!manual) return manual.error();
     const bool isByHand = _request.orders.empty() && _request.inputs.empty();
     return std::unique_ptr<simulation::VehicleController>(
-        std::make_unique<simulation::HandOver>(std::move(automatic), std::move(*hands), isByHand));
+        std::make_unique<simulation::ControlSwitch>(std::move(automatic), std::move(*manual), isByHand));
 }
 
 foundation::Result<Ride> FlightMaker::make(std::size_t place)
@@ -114,7 +114,7 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     if (!controller) return controller.error();
     if (_request.hasWindow()) controller = seated(std::move(*controller), **aircraft);
     if (!controller) return controller.error();
-    auto* const hands = dynamic_cast<simulation::HandOver*>(controller->get());
+    auto* const manual = dynamic_cast<simulation::ControlSwitch*>(controller->get());
     auto vehicle =
         std::make_unique<simulation::ControlledVehicle>(std::move(*aircraft), std::move(*controller));
     if (!_request.recordInputs.empty()) vehicle->record();
@@ -123,7 +123,7 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     const osgSession::core::RideBegin begin{start, foundation::radiansOf(90.0 - from.headingDeg),
                                             from.speedMps};
     return Ride{osgSession::core::flightScenario(begin, _origin, _request.conditions),
-                osgSession::core::kRideEntity, std::move(motion), "flight", hands};
+                osgSession::core::kRideEntity, std::move(motion), "flight", manual};
 }
 
 } // namespace trainer

@@ -8,7 +8,7 @@
 #include "FlightStarts.h"
 #include "Ride.h"
 #include "actions/FlyCommand.h"
-#include "simulation/control/HandOver.h"
+#include "simulation/control/ControlSwitch.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/vehicle/DynamicVehicle.h"
 #include "simulation/vehicle/EarthFrame.h"

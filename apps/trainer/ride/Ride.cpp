@@ -6,7 +6,7 @@
 #include "actions/HeadlessCommand.h"
 #include "actions/PlayCommand.h"
 #include "scene/SceneTerrain.h"
-#include "simulation/control/HandOver.h"
+#include "simulation/control/ControlSwitch.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "window/WindowSession.h"

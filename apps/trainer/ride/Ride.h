@@ -13,7 +13,7 @@
 
 namespace simulation
 {
-class HandOver;
+class ControlSwitch;
 class VehicleMotion;
 } // namespace simulation
 
@@ -28,8 +28,8 @@ struct Ride
     simulation::Scenario scenario;
     std::string entity; ///< of the scenario, which the motion moves
     std::shared_ptr<simulation::VehicleMotion> motion;
-    std::string name;                      ///< in the table of motion
-    simulation::HandOver* hands = nullptr; ///< of the motion; null: nobody sits in it
+    std::string name;                              ///< in the table of motion
+    simulation::ControlSwitch* controls = nullptr; ///< of the motion; null: nobody sits in it
 };
 
 /// Where a ride may begin.

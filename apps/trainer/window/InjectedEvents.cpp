@@ -37,13 +37,14 @@ void InjectedEvents::playScript(double wallS)
     }
 }
 
-void InjectedEvents::moveHand(const simulation::HandOver& hands, const simulation::DynamicVehicle& vehicle,
-                              double nextS)
+void InjectedEvents::moveHand(const simulation::ControlSwitch& manual,
+                              const simulation::DynamicVehicle& vehicle, double nextS)
 {
-    if (!hands.isByHand()) return;
-    for (const KeyStroke& stroke : _hand.decide(hands.hands(), hands.wishes(), vehicle.inputNames(), nextS))
+    if (!manual.isByHand()) return;
+    for (const KeyStroke& stroke :
+         _hand.decide(manual.manual(), manual.wishes(), vehicle.inputNames(), nextS))
         send(stroke.key, stroke.isDown);
-    if (!hands.wishes().empty() && hands.automatic()->isDone()) send(*keyOf("Escape"), true);
+    if (!manual.wishes().empty() && manual.automatic()->isDone()) send(*keyOf("Escape"), true);
 }
 
 } // namespace trainer

@@ -3,9 +3,9 @@
 
 #include <osgViewer/GraphicsWindow>
 
-#include "input/KeyHand.h"
+#include "input/KeyPresser.h"
 #include "input/KeyScript.h"
-#include "simulation/control/HandOver.h"
+#include "simulation/control/ControlSwitch.h"
 #include "simulation/vehicle/DynamicVehicle.h"
 
 namespace trainer
@@ -29,7 +29,8 @@ public:
 
     /// Lets the simulated hand press what its automatic wishes; Escape where that has done all. `nextS`:
     /// until the next picture.
-    void moveHand(const simulation::HandOver& hands, const simulation::DynamicVehicle& vehicle, double nextS);
+    void moveHand(const simulation::ControlSwitch& manual, const simulation::DynamicVehicle& vehicle,
+                  double nextS);
 
 private:
     void send(int key, bool isDown);
@@ -37,7 +38,7 @@ private:
     osg::ref_ptr<osgViewer::GraphicsWindow> _window;
     std::vector<WindowEvent> _script;
     std::size_t _played = 0; ///< of its events
-    KeyHand _hand;
+    KeyPresser _hand;
 };
 
 } // namespace trainer

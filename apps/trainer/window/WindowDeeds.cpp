@@ -5,7 +5,7 @@
 
 #include <foundation/DataFile.h>
 
-#include "input/HandInputs.h"
+#include "input/KeyInputs.h"
 #include "window/WindowSession.h"
 
 namespace trainer
@@ -28,7 +28,7 @@ foundation::Outcome WindowSession::openDevices()
     auto maps = readDevices(file);
     if (!maps) return maps.error();
     _devices = std::make_unique<Devices>();
-    _deviceHands = std::make_unique<DeviceHands>(std::move(*maps));
+    _deviceInputs = std::make_unique<DeviceInputs>(std::move(*maps));
     return foundation::success();
 }
 
@@ -37,29 +37,29 @@ void WindowSession::readDevicesNow()
     if (!_devices) return;
     for (const std::string& note : _devices->update())
         tell(note);
-    _deviceHands->apply(_devices->states(), _ride.hands ? &_ride.hands->hands() : nullptr, *_keys);
+    _deviceInputs->apply(_devices->states(), _ride.controls ? &_ride.controls->manual() : nullptr, *_keys);
 }
 
 void WindowSession::holdInput(std::string_view input, double direction)
 {
-    if (_ride.hands) trainer::holdInput(_ride.hands->hands(), input, direction);
+    if (_ride.controls) trainer::holdInput(_ride.controls->manual(), input, direction);
 }
 
 void WindowSession::addToInput(std::string_view input, double amount)
 {
-    if (_ride.hands) trainer::addToInput(_ride.hands->hands(), input, amount);
+    if (_ride.controls) trainer::addToInput(_ride.controls->manual(), input, amount);
 }
 
 void WindowSession::flipInput(std::string_view input)
 {
-    if (_ride.hands) trainer::flipInput(_ride.hands->hands(), input);
+    if (_ride.controls) trainer::flipInput(_ride.controls->manual(), input);
 }
 
 void WindowSession::handOver()
 {
-    if (!_ride.hands) return;
-    const bool isByHand = !_ride.hands->isByHand();
-    if (!_ride.hands->giveToHands(isByHand)) return tell("there is nobody to give it to");
+    if (!_ride.controls) return;
+    const bool isByHand = !_ride.controls->isByHand();
+    if (!_ride.controls->giveToPerson(isByHand)) return tell("there is nobody to give it to");
     if (isByHand && _live->pace().isPaused()) _live->pace().setPaused(false);
     tell(isByHand ? "you have it" : "you have given it back");
 }
@@ -90,7 +90,7 @@ void WindowSession::restart(std::size_t place)
     _keys->releaseAll();
     _live->restart(std::move(*player));
     _ride = std::move(next);
-    if (_ride.hands && _request.window.byKeys) _ride.hands->watchWishes();
+    if (_ride.controls && _request.window.byKeys) _ride.controls->watchWishes();
     _request = std::move(request);
     _place = place;
     _camera->restart();

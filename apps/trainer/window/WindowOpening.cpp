@@ -67,7 +67,7 @@ foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerr
         auto ride = _maker->make(_place);
         if (!ride) return ride.error();
         _ride = std::move(*ride);
-        if (_ride.hands && _request.window.byKeys) _ride.hands->watchWishes();
+        if (_ride.controls && _request.window.byKeys) _ride.controls->watchWishes();
         _files.setName(_ride.name);
         _request.motions[_ride.entity] = _ride.motion;
     }

@@ -27,9 +27,9 @@ double WindowSession::wallS() const
 void WindowSession::injectEvents(double wallS)
 {
     _injected->playScript(wallS);
-    if (!_request.window.byKeys || !_ride.hands) return;
+    if (!_request.window.byKeys || !_ride.controls) return;
     const double nextS = _request.window.pictureS > 0.0 ? _request.window.pictureS : 1e-3 * _times.lastMs();
-    _injected->moveHand(*_ride.hands, _ride.motion->vehicle().vehicle(), nextS);
+    _injected->moveHand(*_ride.controls, _ride.motion->vehicle().vehicle(), nextS);
 }
 
 /// The size of the window may change at any time.
@@ -105,7 +105,7 @@ void WindowSession::showTexts(double wallS)
 {
     if (const auto note = _pictures->takeNote()) tell(*note);
     _texts.show(_overlay, wallS, _live->pace(), _times, _quality.tolerancePx(),
-                _ride.hands ? _ride.hands->phase() : std::string_view());
+                _ride.controls ? _ride.controls->phase() : std::string_view());
 }
 
 void WindowSession::waitForNext(std::chrono::steady_clock::time_point begun) const

@@ -8,11 +8,11 @@
 
 #include "hud/Hud.h"
 #include "hud/TextOverlay.h"
-#include "input/DeviceHands.h"
+#include "input/DeviceInputs.h"
 #include "input/SeatKeys.h"
 #include "play/SceneInterior.h"
 #include "ride/Ride.h"
-#include "simulation/control/HandOver.h"
+#include "simulation/control/ControlSwitch.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/player/LivePlay.h"
 #include "sound/Loudspeaker.h"
@@ -40,8 +40,8 @@ namespace trainer
 class WindowSession final : private KeyTarget
 {
 public:
-    /// `scenario`: what is played where `maker` is null. `recordInputs`: file for what the hands do; empty:
-    /// none.
+    /// `scenario`: what is played where `maker` is null. `recordInputs`: file for what the person does;
+    /// empty: none.
     /// Errors: those of PlayScene, of openWindow() and of readKeyScript(); a ride that cannot begin.
     static foundation::Result<std::unique_ptr<WindowSession>>
     create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request, RideMaker* maker,
@@ -102,7 +102,7 @@ private:
     std::unique_ptr<SceneInterior> _interior; ///< null: one does not sit inside, or it is off
     std::unique_ptr<SeatKeys> _keys;
     std::unique_ptr<Devices> _devices;
-    std::unique_ptr<DeviceHands> _deviceHands;
+    std::unique_ptr<DeviceInputs> _deviceInputs;
     TextOverlay _overlay;
     std::unique_ptr<SceneSound> _sound;
     std::unique_ptr<Loudspeaker> _speaker; ///< null: muted

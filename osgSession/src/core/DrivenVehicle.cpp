@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "simulation/control/HandOver.h"
-#include "simulation/control/driver/RoadHands.h"
-#include "simulation/control/flight/FlightHands.h"
+#include "simulation/control/ControlSwitch.h"
+#include "simulation/control/driver/ManualDriver.h"
+#include "simulation/control/flight/ManualPilot.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/vehicle/WeatherAir.h"
 
@@ -15,11 +15,11 @@ namespace osgSession::core
 namespace
 {
 
-foundation::Result<simulation::Hands> handsFor(const simulation::DynamicVehicle& vehicle)
+foundation::Result<simulation::ManualController> manualFor(const simulation::DynamicVehicle& vehicle)
 {
     if (const auto* const car = dynamic_cast<const simulation::RoadVehicle*>(&vehicle))
-        return simulation::driverHands(*car);
-    return simulation::pilotHands(vehicle);
+        return simulation::manualDriver(*car);
+    return simulation::manualPilot(vehicle);
 }
 
 } // namespace
@@ -31,10 +31,10 @@ foundation::Result<DrivenVehicle> DrivenVehicle::create(const std::filesystem::p
 {
     auto vehicle = simulation::openVehicle(file, origin, seed);
     if (!vehicle) return vehicle.error();
-    auto hands = handsFor(**vehicle);
-    if (!hands) return hands.error();
-    auto seat = std::make_unique<simulation::HandOver>(nullptr, std::move(*hands), true);
-    simulation::Hands* const seated = &seat->hands();
+    auto manual = manualFor(**vehicle);
+    if (!manual) return manual.error();
+    auto seat = std::make_unique<simulation::ControlSwitch>(nullptr, std::move(*manual), true);
+    simulation::ManualController* const seated = &seat->manual();
     auto motion = std::make_shared<simulation::VehicleMotion>(
         std::make_unique<simulation::ControlledVehicle>(std::move(*vehicle), std::move(seat)),
         std::move(ground), std::make_shared<const simulation::WeatherAir>());
@@ -45,14 +45,14 @@ foundation::Result<DrivenVehicle> DrivenVehicle::create(const std::filesystem::p
 std::vector<std::string> DrivenVehicle::inputs() const
 {
     std::vector<std::string> names;
-    for (const simulation::HandAxis& axis : _hands->axes())
+    for (const simulation::InputAxis& axis : _manual->axes())
         names.emplace_back(axis.input);
     return names;
 }
 
 foundation::Outcome DrivenVehicle::set(const std::string& input, double value)
 {
-    const int axis = _hands->axisOf(input);
+    const int axis = _manual->axisOf(input);
     if (axis < 0)
     {
         std::string names;
@@ -61,7 +61,7 @@ foundation::Outcome DrivenVehicle::set(const std::string& input, double value)
         return foundation::Error{input, "the vehicle has no such input", "put one of " + names};
     }
     if (std::isnan(value)) return foundation::Error{input, "the value is no number", "put a finite one"};
-    _hands->put(static_cast<std::size_t>(axis), value);
+    _manual->put(static_cast<std::size_t>(axis), value);
     return foundation::success();
 }
 

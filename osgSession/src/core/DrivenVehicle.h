@@ -10,7 +10,7 @@
 
 #include <foundation/Result.h>
 
-#include "simulation/control/Hands.h"
+#include "simulation/control/ManualController.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/geodesy/LocalFrame.h"
 #include "simulation/vehicle/Ground.h"
@@ -23,7 +23,7 @@ class DrivenVehicle
 {
 public:
     /// `file`: data of a road vehicle or an aircraft. `origin`: of the scene; absent: no georeference.
-    /// Errors: as openVehicle() and pilotHands().
+    /// Errors: as openVehicle() and manualPilot().
     static foundation::Result<DrivenVehicle> create(const std::filesystem::path& file,
                                                     std::shared_ptr<const simulation::Ground> ground,
                                                     const std::optional<simulation::Geodetic>& origin,
@@ -37,13 +37,13 @@ public:
     foundation::Outcome set(const std::string& input, double value);
 
 private:
-    DrivenVehicle(std::shared_ptr<simulation::VehicleMotion> motion, simulation::Hands* hands)
-        : _motion(std::move(motion)), _hands(hands)
+    DrivenVehicle(std::shared_ptr<simulation::VehicleMotion> motion, simulation::ManualController* manual)
+        : _motion(std::move(motion)), _manual(manual)
     {
     }
 
     std::shared_ptr<simulation::VehicleMotion> _motion;
-    simulation::Hands* _hands; ///< of the motion
+    simulation::ManualController* _manual; ///< of the motion
 };
 
 } // namespace osgSession::core

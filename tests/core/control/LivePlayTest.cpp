@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "TestCart.h"
-#include "simulation/control/HandOver.h"
+#include "simulation/control/ControlSwitch.h"
 #include "simulation/control/RecordedInputs.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/vehicle/WeatherAir.h"
@@ -23,7 +23,7 @@ struct LiveRide
 {
     std::unique_ptr<ScenarioPlayer> player;
     std::shared_ptr<VehicleMotion> motion;
-    HandOver* hands = nullptr;
+    ControlSwitch* controls = nullptr;
 };
 
 Scenario oneCart()
@@ -50,11 +50,11 @@ LiveRide rideOf(std::unique_ptr<ControlledVehicle> vehicle)
 LiveRide byHand()
 {
     auto cart = std::make_unique<TestCart>();
-    auto hands = Hands::create({{"push", -1.0, 1.0, 2.0, 1.0}, {"brake", 0.0, 1.0, 0.5}}, *cart);
-    auto both = std::make_unique<HandOver>(nullptr, std::move(*hands), true);
-    HandOver* const seen = both.get();
+    auto manual = ManualController::create({{"push", -1.0, 1.0, 2.0, 1.0}, {"brake", 0.0, 1.0, 0.5}}, *cart);
+    auto both = std::make_unique<ControlSwitch>(nullptr, std::move(*manual), true);
+    ControlSwitch* const seen = both.get();
     LiveRide ride = rideOf(std::make_unique<ControlledVehicle>(std::move(cart), std::move(both)));
-    ride.hands = seen;
+    ride.controls = seen;
     return ride;
 }
 
@@ -69,7 +69,7 @@ std::vector<double> driven(double frameS)
     for (int i = 1; i <= std::llround(6.0 / frameS); ++i)
     {
         const double wallS = i * frameS;
-        ride.hands->hands().hold(0, wallS > 1.0 && wallS <= 3.0 ? 1.0 : wallS > 4.0 ? -1.0 : 0.0);
+        ride.controls->manual().hold(0, wallS > 1.0 && wallS <= 3.0 ? 1.0 : wallS > 4.0 ? -1.0 : 0.0);
         live.advance(wallS);
     }
     return places;
@@ -92,7 +92,7 @@ TEST(LivePlay, ShowsTheEntitiesBetweenTheLastTwoSteps)
     std::vector<double> places;
     LivePlay live(std::move(ride.player),
                   [&](const ScenarioPlayer& player) { places.push_back(player.entities()[0].position.x); });
-    ride.hands->hands().hold(0, 1.0);
+    ride.controls->manual().hold(0, 1.0);
     live.advance(0.0);
     live.advance(0.5);
     live.advance(0.5 + 0.25 / 120.0);
@@ -108,8 +108,8 @@ TEST(LivePlay, WhatHandsDidRepeatsFromTheRecordingToTheLastBit)
     live.advance(0.0);
     for (int i = 1; i < 200; ++i)
     {
-        if (i % 17 == 0) ride.hands->hands().hold(0, (i % 3) - 1.0);
-        if (i == 100) ride.hands->hands().put(1, 0.3);
+        if (i % 17 == 0) ride.controls->manual().hold(0, (i % 3) - 1.0);
+        if (i == 100) ride.controls->manual().put(1, 0.3);
         live.pace().setPaused(i % 23 == 0);
         live.advance(0.037 * i);
     }
@@ -133,7 +133,7 @@ TEST(LivePlay, BeginsAnewAndPausesWhereItIsOver)
 {
     LiveRide ride = byHand(), other = byHand();
     LivePlay live(std::move(ride.player));
-    ride.hands->hands().put(0, 1.0);
+    ride.controls->manual().put(0, 1.0);
     live.advance(0.0);
     live.advance(0.9);
     EXPECT_GT(live.shown()[0].position.x, 0.1);

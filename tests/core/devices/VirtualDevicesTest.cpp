@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "StillVehicle.h"
-#include "input/DeviceHands.h"
+#include "input/DeviceInputs.h"
 
 namespace
 {
@@ -79,22 +79,22 @@ TEST(VirtualJoystick, MovesHandsIsToldWhenItGoesAndTakenUpAgain)
         "osgtrainer-devices 1\ndevice *\naxis 1 elevator inverted\naxis 2 throttle\nbutton 3 Space\n",
         "devices");
     ASSERT_TRUE(maps);
-    DeviceHands deviceHands(*maps);
+    DeviceInputs deviceInputs(*maps);
     const testsupport::StillVehicle vehicle(kInputs);
-    auto hands = simulation::Hands::create({{"elevator"}, {"throttle", 0.0, 1.0}}, vehicle);
-    ASSERT_TRUE(hands);
+    auto manual = simulation::ManualController::create({{"elevator"}, {"throttle", 0.0, 1.0}}, vehicle);
+    ASSERT_TRUE(manual);
     PressedKeys target;
     SeatKeys keys(KeyScope::flight, target);
-    deviceHands.apply(devices.states(), &*hands, keys);
-    EXPECT_EQ(hands->value(0), 0.0); // at rest it takes nothing
+    deviceInputs.apply(devices.states(), &*manual, keys);
+    EXPECT_EQ(manual->value(0), 0.0); // at rest it takes nothing
 
     stick.setAxis(1, 0.5);
     stick.setAxis(2, 1.0);
     stick.setButton(3, true);
     devices.update();
-    deviceHands.apply(devices.states(), &*hands, keys);
-    EXPECT_NEAR(hands->value(0), -0.5, 1e-3);
-    EXPECT_NEAR(hands->value(1), 1.0, 1e-3);
+    deviceInputs.apply(devices.states(), &*manual, keys);
+    EXPECT_NEAR(manual->value(0), -0.5, 1e-3);
+    EXPECT_NEAR(manual->value(1), 1.0, 1e-3);
     EXPECT_EQ(target.last, "brakes");
     EXPECT_EQ(target.held, 1.0);
 
@@ -102,16 +102,16 @@ TEST(VirtualJoystick, MovesHandsIsToldWhenItGoesAndTakenUpAgain)
     const auto gone = devices.update();
     ASSERT_EQ(gone.size(), 1U);
     EXPECT_NE(gone[0].find("is gone"), std::string::npos);
-    deviceHands.apply(devices.states(), &*hands, keys);
+    deviceInputs.apply(devices.states(), &*manual, keys);
     EXPECT_EQ(target.held, 0.0) << "a button of a device that is gone is let go";
-    EXPECT_NEAR(hands->value(0), -0.5, 1e-3);
+    EXPECT_NEAR(manual->value(0), -0.5, 1e-3);
 
     MadeJoystick again;
     EXPECT_EQ(devices.update().size(), 1U);
     again.setAxis(1, -1.0);
     devices.update();
-    deviceHands.apply(devices.states(), &*hands, keys);
-    EXPECT_NEAR(hands->value(0), 1.0, 1e-3);
+    deviceInputs.apply(devices.states(), &*manual, keys);
+    EXPECT_NEAR(manual->value(0), 1.0, 1e-3);
     again.unplug();
 }
 

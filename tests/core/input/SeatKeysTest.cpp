@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "input/Keys.h"
-#include "simulation/control/driver/RoadHands.h"
+#include "simulation/control/driver/ManualDriver.h"
 #include "simulation/vehicle/flight/FlightInputs.h"
 
 namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "input/KeyHand.h"
+#include "input/KeyPresser.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double kTrimmed = 0.02,
 constexpr double kPaid = 0.3;  ///< the share of a moment's lack that is made up for in the next
 
 /// Where an axis is after a moment of being pushed so, without what speed takes from its reach.
-double after(const simulation::HandAxis& axis, double value, double direction, double nextS)
+double after(const simulation::InputAxis& axis, double value, double direction, double nextS)
 {
     if (direction != 0.0)
         return std::clamp(value + direction * axis.perSecond * nextS, axis.least, axis.most);
@@ -25,7 +25,7 @@ double after(const simulation::HandAxis& axis, double value, double direction, d
     return value + std::clamp(axis.rest - value, -most, most);
 }
 
-double nearestPush(const simulation::HandAxis& axis, double value, double wish, double nextS)
+double nearestPush(const simulation::InputAxis& axis, double value, double wish, double nextS)
 {
     double best = 0.0;
     for (const double direction : {1.0, -1.0})
@@ -44,7 +44,7 @@ std::string_view keyedInput(std::string_view input)
 } // namespace
 
 /// Towards the elevator that would be held for long.
-double KeyHand::trimDirection(double elevator, double nextS)
+double KeyPresser::trimDirection(double elevator, double nextS)
 {
     _elevator += (elevator - _elevator) * std::min(1.0, nextS / kTrimS);
     return std::abs(_elevator) < kTrimmed ? 0.0 : std::copysign(1.0, _elevator);
@@ -52,7 +52,7 @@ double KeyHand::trimDirection(double elevator, double nextS)
 
 /// The wish and what it is owed where an input springs back: pushes are steps, so that it is right in the
 /// mean alone.
-double KeyHand::owing(const simulation::HandAxis& axis, double wish, double value, double nextS)
+double KeyPresser::owing(const simulation::InputAxis& axis, double wish, double value, double nextS)
 {
     if (axis.returnPerSecond <= 0.0) return wish;
     const double step = axis.perSecond * nextS;
@@ -61,7 +61,7 @@ double KeyHand::owing(const simulation::HandAxis& axis, double wish, double valu
     return wish + owed;
 }
 
-void KeyHand::push(std::string_view input, double direction, std::vector<KeyStroke>& strokes)
+void KeyPresser::push(std::string_view input, double direction, std::vector<KeyStroke>& strokes)
 {
     double& before = _pushed[input];
     if (before == direction) return;
@@ -75,7 +75,7 @@ void KeyHand::push(std::string_view input, double direction, std::vector<KeyStro
 }
 
 /// Taps the key that adds most nearly what is missing, if one does.
-void KeyHand::add(std::string_view input, double missing, std::vector<KeyStroke>& strokes) const
+void KeyPresser::add(std::string_view input, double missing, std::vector<KeyStroke>& strokes) const
 {
     for (const KeyBinding& binding : keyTable())
     {
@@ -87,17 +87,18 @@ void KeyHand::add(std::string_view input, double missing, std::vector<KeyStroke>
     }
 }
 
-std::vector<KeyStroke> KeyHand::decide(const simulation::Hands& hands, std::span<const double> wishes,
-                                       std::span<const std::string_view> names, double nextS)
+std::vector<KeyStroke> KeyPresser::decide(const simulation::ManualController& manual,
+                                          std::span<const double> wishes,
+                                          std::span<const std::string_view> names, double nextS)
 {
     std::vector<KeyStroke> strokes;
     for (std::size_t i = 0; i < wishes.size() && i < names.size(); ++i)
     {
-        const int at = hands.axisOf(names[i]);
+        const int at = manual.axisOf(names[i]);
         if (at < 0) continue;
         const auto place = static_cast<std::size_t>(at);
-        const simulation::HandAxis& axis = hands.axes()[place];
-        const double value = hands.value(place);
+        const simulation::InputAxis& axis = manual.axes()[place];
+        const double value = manual.value(place);
         if (names[i] == "gear") continue; // forward from the start; the left foot shifts
         if (names[i] == "elevator") push("elevator_trim", trimDirection(wishes[i], nextS), strokes);
         if (names[i] == "elevator_trim") continue;

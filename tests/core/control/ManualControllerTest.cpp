@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "TestCart.h"
+#include "simulation/control/ControlSwitch.h"
 #include "simulation/control/ControlledVehicle.h"
-#include "simulation/control/HandOver.h"
 #include "simulation/vehicle/WeatherAir.h"
 
 namespace
@@ -16,15 +16,15 @@ using testsupport::TestCart;
 
 constexpr double kHandStepS = 1.0 / 120.0;
 
-Hands handsOn(const DynamicVehicle& cart)
+ManualController manualOn(const DynamicVehicle& cart)
 {
-    auto hands = Hands::create(
+    auto manual = ManualController::create(
         {{"push", -1.0, 1.0, 2.0, 1.0}, {"brake", 0.0, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.25}}, cart);
-    EXPECT_TRUE(hands);
-    return std::move(*hands);
+    EXPECT_TRUE(manual);
+    return std::move(*manual);
 }
 
-/// A cart, its inputs and hands on it.
+/// A cart, its inputs and manual control of it.
 struct CartSeat
 {
     TestCart cart;
@@ -40,67 +40,67 @@ struct CartSeat
     }
 };
 
-TEST(Hands, MoveAnInputWhileAKeyIsHeldAndLetItReturn)
+TEST(ManualController, MoveAnInputWhileAKeyIsHeldAndLetItReturn)
 {
     CartSeat seat;
-    Hands hands = handsOn(seat.cart);
-    hands.hold(0, 1.0);
+    ManualController manual = manualOn(seat.cart);
+    manual.hold(0, 1.0);
     for (int i = 0; i < 30; ++i)
-        seat.step(hands);
+        seat.step(manual);
     EXPECT_NEAR(seat.cart.inputs()[0], 30.0 * 2.0 * kHandStepS, 1e-12);
-    hands.hold(0, 0.0);
+    manual.hold(0, 0.0);
     for (int i = 0; i < 30; ++i)
-        seat.step(hands);
+        seat.step(manual);
     EXPECT_NEAR(seat.cart.inputs()[0], 0.25, 1e-12);
     for (int i = 0; i < 120; ++i)
-        seat.step(hands);
+        seat.step(manual);
     EXPECT_EQ(seat.cart.inputs()[0], 0.0);
     // What has no way back stays.
-    hands.hold(1, 1.0);
+    manual.hold(1, 1.0);
     for (int i = 0; i < 60; ++i)
-        seat.step(hands);
-    hands.hold(1, 0.0);
+        seat.step(manual);
+    manual.hold(1, 0.0);
     for (int i = 0; i < 600; ++i)
-        seat.step(hands);
+        seat.step(manual);
     EXPECT_NEAR(seat.cart.inputs()[1], 0.25, 1e-12);
 }
 
-TEST(Hands, StayWhereADevicePutsThemUntilAKeyMovesThem)
+TEST(ManualController, StayWhereADevicePutsThemUntilAKeyMovesThem)
 {
     CartSeat seat;
-    Hands hands = handsOn(seat.cart);
-    hands.put(0, 0.6);
-    hands.put(1, 7.0);
+    ManualController manual = manualOn(seat.cart);
+    manual.put(0, 0.6);
+    manual.put(1, 7.0);
     for (int i = 0; i < 100; ++i)
-        seat.step(hands);
+        seat.step(manual);
     EXPECT_EQ(seat.cart.inputs()[0], 0.6);
     EXPECT_EQ(seat.cart.inputs()[1], 1.0);
-    hands.put(0, std::numeric_limits<double>::quiet_NaN());
-    seat.step(hands);
+    manual.put(0, std::numeric_limits<double>::quiet_NaN());
+    seat.step(manual);
     EXPECT_EQ(seat.cart.inputs()[0], 0.6);
-    hands.hold(0, -1.0);
-    seat.step(hands);
+    manual.hold(0, -1.0);
+    seat.step(manual);
     EXPECT_NEAR(seat.cart.inputs()[0], 0.6 - 2.0 * kHandStepS, 1e-12);
 }
 
-TEST(Hands, ReachLessTheFasterItGoes)
+TEST(ManualController, ReachLessTheFasterItGoes)
 {
     CartSeat seat;
-    auto hands = Hands::create({{"push", -1.0, 1.0, 1e3, 1e3, 0.0, 5.0, 0.1}}, seat.cart);
-    ASSERT_TRUE(hands);
-    hands->hold(0, -1.0);
-    seat.step(*hands, 4.0);
+    auto manual = ManualController::create({{"push", -1.0, 1.0, 1e3, 1e3, 0.0, 5.0, 0.1}}, seat.cart);
+    ASSERT_TRUE(manual);
+    manual->hold(0, -1.0);
+    seat.step(*manual, 4.0);
     EXPECT_NEAR(seat.cart.inputs()[0], -1.0, 1e-12);
-    seat.step(*hands, 10.0);
+    seat.step(*manual, 10.0);
     EXPECT_NEAR(seat.cart.inputs()[0], -0.35, 1e-12);
 }
 
-TEST(Hands, RefuseAnInputThatThereIsNot)
+TEST(ManualController, RefuseAnInputThatThereIsNot)
 {
     const TestCart cart;
-    const auto hands = Hands::create({{"wings"}}, cart);
-    ASSERT_FALSE(hands);
-    EXPECT_EQ(hands.error().place, "wings");
+    const auto manual = ManualController::create({{"wings"}}, cart);
+    ASSERT_FALSE(manual);
+    EXPECT_EQ(manual.error().place, "wings");
 }
 
 /// Pushes at half strength; remembers where it got the vehicle back.
@@ -116,37 +116,37 @@ public:
     double resumedAt = -1.0;
 };
 
-TEST(HandOver, TakesOverWithoutAJumpAndGivesBack)
+TEST(ControlSwitch, TakesOverWithoutAJumpAndGivesBack)
 {
     CartSeat seat;
     auto automatic = std::make_unique<HalfPush>();
     const HalfPush& half = *automatic;
-    HandOver both(std::move(automatic), handsOn(seat.cart), false);
+    ControlSwitch both(std::move(automatic), manualOn(seat.cart), false);
     seat.step(both);
     EXPECT_EQ(seat.cart.inputs()[0], 0.5);
     EXPECT_TRUE(both.isDone());
     EXPECT_EQ(half.resumedAt, -1.0); // it never had lost it
-    EXPECT_TRUE(both.giveToHands(true));
+    EXPECT_TRUE(both.giveToPerson(true));
     EXPECT_FALSE(both.isDone());
     seat.step(both);
     EXPECT_NEAR(seat.cart.inputs()[0], 0.5 - kHandStepS, 1e-12); // on its way back, from where it was
-    both.hands().put(0, -0.75);
+    both.manual().put(0, -0.75);
     seat.step(both);
     EXPECT_EQ(seat.cart.inputs()[0], -0.75);
-    EXPECT_TRUE(both.giveToHands(false));
+    EXPECT_TRUE(both.giveToPerson(false));
     seat.step(both);
     EXPECT_EQ(half.resumedAt, -0.75);
     EXPECT_EQ(seat.cart.inputs()[0], 0.5);
 }
 
-TEST(HandOver, OfNobodyElseStaysWithTheHands)
+TEST(ControlSwitch, OfNobodyElseStaysWithTheHands)
 {
     CartSeat seat;
-    HandOver alone(nullptr, handsOn(seat.cart), false);
+    ControlSwitch alone(nullptr, manualOn(seat.cart), false);
     EXPECT_TRUE(alone.isByHand());
-    EXPECT_FALSE(alone.giveToHands(false));
+    EXPECT_FALSE(alone.giveToPerson(false));
     seat.step(alone);
-    EXPECT_EQ(seat.cart.inputs()[1], 0.25); // where hands begin that have it from the first step on
+    EXPECT_EQ(seat.cart.inputs()[1], 0.25); // where manual control from the first step begins step on
     EXPECT_EQ(alone.phase(), "hand");
 }
 

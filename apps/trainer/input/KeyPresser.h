@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "input/KeyTable.h"
-#include "simulation/control/Hands.h"
+#include "simulation/control/ManualController.h"
 
 namespace trainer
 {
@@ -23,21 +23,21 @@ struct KeyStroke
 /// lead there. A key knows no half, so each moment it takes for every input the one of "up", "down" and "let
 /// go" after which the input is nearest to the wish. It trims the elevator away like a pilot. Determinism: by
 /// its calls alone. Threads: one.
-class KeyHand
+class KeyPresser
 {
 public:
     /// `vehicle`: flight or drive.
-    explicit KeyHand(KeyScope vehicle) : _vehicle(vehicle) {}
+    explicit KeyPresser(KeyScope vehicle) : _vehicle(vehicle) {}
 
     /// What it does now. `wishes`: in the order of `names`, those of the vehicle's inputs; empty: it waits.
     /// `nextS`: until the next moment.
-    std::vector<KeyStroke> decide(const simulation::Hands& hands, std::span<const double> wishes,
+    std::vector<KeyStroke> decide(const simulation::ManualController& manual, std::span<const double> wishes,
                                   std::span<const std::string_view> names, double nextS);
 
 private:
     void push(std::string_view input, double direction, std::vector<KeyStroke>& strokes);
     void add(std::string_view input, double missing, std::vector<KeyStroke>& strokes) const;
-    double owing(const simulation::HandAxis& axis, double wish, double value, double nextS);
+    double owing(const simulation::InputAxis& axis, double wish, double value, double nextS);
     double trimDirection(double elevator, double nextS);
 
     KeyScope _vehicle;

@@ -8,20 +8,20 @@
 #include "input/DeviceFile.h"
 #include "input/Devices.h"
 #include "input/SeatKeys.h"
-#include "simulation/control/Hands.h"
+#include "simulation/control/ManualController.h"
 
 namespace trainer
 {
 
-/// Moves hands by devices: an axis that has moved since the last look puts its input, a button does what its
-/// key does. An axis that rests takes nothing from the keys. Threads: one.
-class DeviceHands
+/// Applies devices to manual control: an axis that has moved since the last look puts its input, a button
+/// does what its key does. An axis that rests takes nothing from the keys. Threads: one.
+class DeviceInputs
 {
 public:
-    explicit DeviceHands(std::vector<DeviceMap> maps) : _maps(std::move(maps)) {}
+    explicit DeviceInputs(std::vector<DeviceMap> maps) : _maps(std::move(maps)) {}
 
-    /// `states`: of Devices. `hands`: null: buttons alone count.
-    void apply(const std::vector<DeviceState>& states, simulation::Hands* hands, SeatKeys& keys);
+    /// `states`: of Devices. `manual`: null: buttons alone count.
+    void apply(const std::vector<DeviceState>& states, simulation::ManualController* manual, SeatKeys& keys);
 
 private:
     struct Seen
@@ -31,7 +31,7 @@ private:
     };
 
     void applyAxes(const DeviceState& state, const DeviceMap& map, Seen& seen,
-                   simulation::Hands& hands) const;
+                   simulation::ManualController& manual) const;
     void forgetGone(const std::vector<DeviceState>& states, SeatKeys& keys);
     static void applyButtons(const DeviceState& state, const DeviceMap& map, Seen& seen, SeatKeys& keys);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A car and a van by hand, and a driver who gets his vehicle back.
-#include "simulation/control/driver/RoadHands.h"
+#include "simulation/control/driver/ManualDriver.h"
 
 #include <cmath>
 
 #include "DriverSupport.h"
-#include "simulation/control/HandOver.h"
+#include "simulation/control/ControlSwitch.h"
 
 namespace
 {
@@ -13,9 +13,9 @@ namespace
 using namespace simulation;
 using testsupport::Ride;
 
-std::size_t axisOf(const Hands& hands, std::string_view input)
+std::size_t axisOf(const ManualController& manual, std::string_view input)
 {
-    const int axis = hands.axisOf(input);
+    const int axis = manual.axisOf(input);
     EXPECT_GE(axis, 0) << input;
     return static_cast<std::size_t>(axis);
 }
@@ -59,21 +59,21 @@ private:
     std::int64_t _steps = 0;
 };
 
-class HandsOf : public testing::TestWithParam<const char*>
+class ManualOf : public testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(HandsOf, DriveOffSteerAndStopByKeys)
+TEST_P(ManualOf, DriveOffSteerAndStopByKeys)
 {
     RoadSeat seat(GetParam());
-    HandOver both(nullptr, driverHands(seat.vehicle()), true);
-    Hands& hands = both.hands();
-    hands.hold(axisOf(hands, "throttle"), 1.0);
+    ControlSwitch both(nullptr, manualDriver(seat.vehicle()), true);
+    ManualController& manual = both.manual();
+    manual.hold(axisOf(manual, "throttle"), 1.0);
     seat.run(both, 12.0);
     EXPECT_GT(seat.vehicle().readings().speedMps, 12.0);
     EXPECT_GT(seat.vehicle().readings().gear, 1); // a manual gearbox was shifted
-    hands.hold(axisOf(hands, "throttle"), 0.0);
-    hands.hold(axisOf(hands, "steering"), 1.0);
+    manual.hold(axisOf(manual, "throttle"), 0.0);
+    manual.hold(axisOf(manual, "steering"), 1.0);
     double mostMps2 = 0.0;
     for (int i = 0; i < 20; ++i)
     {
@@ -82,45 +82,45 @@ TEST_P(HandsOf, DriveOffSteerAndStopByKeys)
             mostMps2, std::abs(seat.vehicle().readings().yawRateRadps * seat.vehicle().readings().speedMps));
     }
     EXPECT_NEAR(mostMps2, 4.0, 1.2) << "held keys lead to a bend that the tyres hold";
-    hands.hold(axisOf(hands, "steering"), 0.0);
-    hands.hold(axisOf(hands, "brake"), 1.0);
+    manual.hold(axisOf(manual, "steering"), 0.0);
+    manual.hold(axisOf(manual, "brake"), 1.0);
     seat.run(both, 6.0);
     EXPECT_NEAR(seat.vehicle().readings().speedMps, 0.0, 0.1);
     EXPECT_EQ(seat.vehicle().status().condition, VehicleCondition::sound);
 }
 
-TEST_P(HandsOf, DriveBackwardsInReverse)
+TEST_P(ManualOf, DriveBackwardsInReverse)
 {
     RoadSeat seat(GetParam());
-    HandOver both(nullptr, driverHands(seat.vehicle()), true);
-    Hands& hands = both.hands();
+    ControlSwitch both(nullptr, manualDriver(seat.vehicle()), true);
+    ManualController& manual = both.manual();
     seat.run(both, 0.5);
-    hands.add(axisOf(hands, "gear"), -2.0);
-    hands.hold(axisOf(hands, "throttle"), 0.5);
+    manual.add(axisOf(manual, "gear"), -2.0);
+    manual.hold(axisOf(manual, "throttle"), 0.5);
     seat.run(both, 6.0);
     EXPECT_LT(seat.vehicle().readings().speedMps, -1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Vehicles, HandsOf, testing::Values("car", "van"));
+INSTANTIATE_TEST_SUITE_P(Vehicles, ManualOf, testing::Values("car", "van"));
 
-TEST(DriverHandOver, GoesOnAlongTheWayFromWhereHandsLeftIt)
+TEST(DriverControlSwitch, GoesOnAlongTheWayFromWhereHandsLeftIt)
 {
     RoadSeat seat("car");
     auto driver = std::make_unique<Driver>(seat.vehicle(), wayOf(2000.0));
     const Driver& automatic = *driver;
-    HandOver both(std::move(driver), driverHands(seat.vehicle()), false);
+    ControlSwitch both(std::move(driver), manualDriver(seat.vehicle()), false);
     seat.run(both, 10.0);
-    both.giveToHands(true);
-    Hands& hands = both.hands();
-    hands.hold(axisOf(hands, "steering"), 1.0);
+    both.giveToPerson(true);
+    ManualController& manual = both.manual();
+    manual.hold(axisOf(manual, "steering"), 1.0);
     seat.run(both, 0.6);
-    hands.hold(axisOf(hands, "steering"), -1.0);
+    manual.hold(axisOf(manual, "steering"), -1.0);
     seat.run(both, 0.6);
-    hands.hold(axisOf(hands, "steering"), 0.0);
+    manual.hold(axisOf(manual, "steering"), 0.0);
     seat.run(both, 0.5);
     const double asideM = seat.vehicle().state().position.y;
     EXPECT_GT(asideM, 1.0);
-    both.giveToHands(false);
+    both.giveToPerson(false);
     seat.run(both, 8.0);
     EXPECT_NEAR(seat.vehicle().state().position.y, 0.0, 0.3);
     EXPECT_GT(seat.vehicle().readings().speedMps, 10.0);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // An aircraft by hand, and an autopilot that gets it back.
-#include "simulation/control/flight/FlightHands.h"
+#include "simulation/control/flight/ManualPilot.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "simulation/control/ControlSwitch.h"
 #include "simulation/control/ControlledVehicle.h"
-#include "simulation/control/HandOver.h"
 #include "simulation/control/flight/Autopilot.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/flight/Aircraft.h"
@@ -19,7 +19,8 @@ namespace
 
 using namespace simulation;
 
-/// An aircraft over level ground, which `orders` fly until hands take it; without orders hands have it.
+/// An aircraft over level ground, which `orders` fly until the person takes it; without orders the person has
+/// it.
 class Cockpit
 {
 public:
@@ -39,9 +40,10 @@ public:
             EXPECT_TRUE(pilot);
             automatic = std::make_unique<Autopilot>(std::move(*pilot));
         }
-        auto hands = pilotHands(*aircraft);
-        EXPECT_TRUE(hands);
-        auto both = std::make_unique<HandOver>(std::move(automatic), std::move(*hands), orders == nullptr);
+        auto manual = manualPilot(*aircraft);
+        EXPECT_TRUE(manual);
+        auto both =
+            std::make_unique<ControlSwitch>(std::move(automatic), std::move(*manual), orders == nullptr);
         _both = both.get();
         _vehicle.emplace(std::move(aircraft), std::move(both));
         _vehicle->look();
@@ -55,10 +57,10 @@ public:
 
     void hold(std::string_view input, double direction)
     {
-        _both->hands().hold(static_cast<std::size_t>(_both->hands().axisOf(input)), direction);
+        _both->manual().hold(static_cast<std::size_t>(_both->manual().axisOf(input)), direction);
     }
 
-    HandOver& both() { return *_both; }
+    ControlSwitch& both() { return *_both; }
     FlightReadings readings() const { return _aircraft->readings(); }
     VehicleCondition condition() const { return _aircraft->status().condition; }
 
@@ -66,7 +68,7 @@ private:
     LevelGround _ground;
     WeatherAir _air;
     Aircraft* _aircraft = nullptr;
-    HandOver* _both = nullptr;
+    ControlSwitch* _both = nullptr;
     std::optional<ControlledVehicle> _vehicle;
 };
 
@@ -79,7 +81,7 @@ double keyFor(double is, double wanted, double near)
 }
 
 // By somebody who looks at pitch and bank ten times a second and has keys, which know no half.
-TEST(FlightHands, TakeOffAndClimbByKeys)
+TEST(ManualPilot, TakeOffAndClimbByKeys)
 {
     Cockpit cockpit(nullptr, {{0.0, 0.0, 0.0}, kNorthward, 0.0, false});
     cockpit.run(1.0);
@@ -101,36 +103,36 @@ TEST(FlightHands, TakeOffAndClimbByKeys)
     EXPECT_EQ(cockpit.condition(), VehicleCondition::sound);
 }
 
-TEST(FlightHandOver, AutopilotGoesOnWithItsOrdersFromWhereHandsLeftIt)
+TEST(FlightControlSwitch, AutopilotGoesOnWithItsOrdersFromWhereHandsLeftIt)
 {
     Cockpit cockpit("heading 0; altitude 600; speed 50; wait 600",
                     {{0.0, 0.0, 600.0}, kNorthward, 50.0, true});
     cockpit.run(20.0);
-    cockpit.both().giveToHands(true);
+    cockpit.both().giveToPerson(true);
     cockpit.hold("aileron", 1.0);
     cockpit.run(1.5);
     cockpit.hold("aileron", 0.0);
     cockpit.run(3.0);
     EXPECT_GT(cockpit.readings().rollDeg, 10.0);
-    cockpit.both().giveToHands(false);
+    cockpit.both().giveToPerson(false);
     cockpit.run(60.0);
     EXPECT_NEAR(cockpit.readings().rollDeg, 0.0, 2.0);
     EXPECT_NEAR(std::remainder(cockpit.readings().headingDeg, 360.0), 0.0, 3.0);
     EXPECT_NEAR(cockpit.readings().calibratedAirspeedMps, 50.0, 2.0);
 }
 
-TEST(FlightHandOver, AutopilotWithoutTargetsHoldsWhatItGets)
+TEST(FlightControlSwitch, AutopilotWithoutTargetsHoldsWhatItGets)
 {
     Cockpit cockpit("wait 600", {{0.0, 0.0, 600.0}, kNorthward, 50.0, true});
     cockpit.run(5.0);
-    cockpit.both().giveToHands(true);
+    cockpit.both().giveToPerson(true);
     cockpit.hold("aileron", 1.0);
     cockpit.run(3.0);
     cockpit.hold("aileron", 0.0);
     cockpit.run(12.0);
     const double headingDeg = cockpit.readings().headingDeg;
     EXPECT_GT(std::abs(std::remainder(headingDeg, 360.0)), 20.0);
-    cockpit.both().giveToHands(false);
+    cockpit.both().giveToPerson(false);
     cockpit.run(60.0);
     EXPECT_NEAR(std::remainder(cockpit.readings().headingDeg - headingDeg, 360.0), 0.0, 6.0);
     EXPECT_NEAR(cockpit.readings().rollDeg, 0.0, 3.0);

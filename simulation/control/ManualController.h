@@ -15,7 +15,7 @@ namespace simulation
 {
 
 /// How one input is moved by hand. Units: those of the input, seconds.
-struct HandAxis
+struct InputAxis
 {
     std::string_view input; ///< its name
     double least = -1.0, most = 1.0;
@@ -27,7 +27,7 @@ struct HandAxis
     /// that a bend's lateral acceleration stays the same. softMps 0: they reach all.
     double softMps = 0.0, softLeast = 0.0;
 
-    /// Where hands that control from the first step on put it; absent: where it is.
+    /// Where it begins under manual control from the first step on; absent: where it is.
     std::optional<double> start{};
 };
 
@@ -35,11 +35,12 @@ struct HandAxis
 /// they are.
 /// Determinism: the inputs depend on the calls between steps alone, not on when pictures are drawn. Threads:
 /// one.
-class Hands final : public VehicleController
+class ManualController final : public VehicleController
 {
 public:
     /// Errors: an axis of an input that the vehicle has not.
-    static foundation::Result<Hands> create(std::vector<HandAxis> axes, const DynamicVehicle& vehicle);
+    static foundation::Result<ManualController> create(std::vector<InputAxis> axes,
+                                                       const DynamicVehicle& vehicle);
 
     /// Takes over: every input goes on from where it is. `isStart`: at the first step of all; what was put
     /// before it stays.
@@ -55,7 +56,7 @@ public:
     /// Moves an axis by an amount, within its range.
     void add(std::size_t axis, double amount);
 
-    /// What else is to be done for the hands at each step, after their inputs are written: a clutch.
+    /// What else happens at each step of manual control, after the inputs are written: a clutch.
     using Finish = std::function<void(std::span<double> inputs)>;
     void finishBy(Finish finish) { _finish = std::move(finish); }
 
@@ -64,22 +65,22 @@ public:
 
     /// The axis of an input; -1: there is none.
     int axisOf(std::string_view input) const;
-    double value(std::size_t axis) const { return _hands[axis].value; }
-    std::span<const HandAxis> axes() const { return _axes; }
+    double value(std::size_t axis) const { return _states[axis].value; }
+    std::span<const InputAxis> axes() const { return _axes; }
 
 private:
-    struct Hand
+    struct AxisState
     {
         std::size_t place = 0; ///< in the vehicle's inputs
         double value = 0.0, direction = 0.0;
         bool isPut = false; ///< a device holds it
     };
 
-    explicit Hands(std::vector<HandAxis> axes) : _axes(std::move(axes)), _hands(_axes.size()) {}
-    void move(const HandAxis& axis, Hand& hand, double speedMps, double stepS) const;
+    explicit ManualController(std::vector<InputAxis> axes) : _axes(std::move(axes)), _states(_axes.size()) {}
+    void move(const InputAxis& axis, AxisState& state, double speedMps, double stepS) const;
 
-    std::vector<HandAxis> _axes;
-    std::vector<Hand> _hands;
+    std::vector<InputAxis> _axes;
+    std::vector<AxisState> _states;
     double _stepS = 0.0;
     Finish _finish;
 };

@@ -5,29 +5,29 @@
 #include <utility>
 #include <vector>
 
-#include "simulation/control/Hands.h"
+#include "simulation/control/ManualController.h"
 
 namespace simulation
 {
 
-/// Two who control one vehicle in turn: an autopilot, a driver or a recording, and hands. Whoever has it not
-/// is not asked. Taking over begins with the inputs as they are, so nothing jumps; an automatic that gets it
-/// back goes on with its orders from where the vehicle is (VehicleController::resume()).
+/// Gives a vehicle to a person or to an automatic (an autopilot, a driver, a recording) in turn. Who has it
+/// not is not asked. Taking over begins with the inputs as they are, so nothing jumps; an automatic that gets
+/// it back goes on with its orders from where the vehicle is (VehicleController::resume()).
 /// Threads: one.
-class HandOver final : public VehicleController
+class ControlSwitch final : public VehicleController
 {
 public:
-    /// `automatic` may be null: then the hands keep it.
-    HandOver(std::unique_ptr<VehicleController> automatic, Hands hands, bool isByHand)
+    /// `automatic` may be null: then the person keeps it.
+    ControlSwitch(std::unique_ptr<VehicleController> automatic, ManualController manual, bool isByHand)
         : _automatic(std::move(automatic)),
-          _hands(std::move(hands)),
+          _manual(std::move(manual)),
           _isByHand(isByHand || !_automatic),
           _hasChanged(_isByHand)
     {
     }
 
     /// From the next step on. Returns false where there is nobody to give it to.
-    bool giveToHands(bool isByHand)
+    bool giveToPerson(bool isByHand)
     {
         if (!isByHand && !_automatic) return false;
         _hasChanged = _hasChanged || isByHand != _isByHand;
@@ -37,11 +37,11 @@ public:
 
     bool isByHand() const { return _isByHand; }
     bool hasAutomatic() const { return _automatic != nullptr; }
-    Hands& hands() { return _hands; }
-    const Hands& hands() const { return _hands; }
+    ManualController& manual() { return _manual; }
+    const ManualController& manual() const { return _manual; }
     const VehicleController* automatic() const { return _automatic.get(); }
 
-    /// From now on the automatic is asked while the hands have it, and what it would do is kept: a test aid.
+    /// From now on the automatic is asked while the person has it, and what it would do is kept: a test aid.
     void watchWishes() { _watches = _automatic != nullptr; }
 
     /// The inputs that the automatic would have written at the last step; empty before the first, or
@@ -58,24 +58,24 @@ public:
                 _wishes.assign(inputs.begin(), inputs.end());
                 _automatic->control(view, _wishes);
             }
-            if (hasChanged) _hands.take(inputs, view.step == 0);
-            return _hands.control(view, inputs);
+            if (hasChanged) _manual.take(inputs, view.step == 0);
+            return _manual.control(view, inputs);
         }
         if (hasChanged) _automatic->resume(view, inputs);
         _automatic->control(view, inputs);
     }
 
     std::string note() const override { return _automatic ? _automatic->note() : std::string(); }
-    std::string_view phase() const override { return _isByHand ? _hands.phase() : _automatic->phase(); }
+    std::string_view phase() const override { return _isByHand ? _manual.phase() : _automatic->phase(); }
 
     /// A person decides when a ride by hand is over.
     bool isDone() const override { return !_isByHand && _automatic->isDone(); }
 
 private:
     std::unique_ptr<VehicleController> _automatic;
-    Hands _hands;
+    ManualController _manual;
     bool _isByHand;
-    bool _hasChanged; ///< hands, since the last step
+    bool _hasChanged; ///< who has it, since the last step
     bool _watches = false;
     std::vector<double> _wishes;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "input/DeviceHands.h"
+#include "input/DeviceInputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +15,18 @@ constexpr double kMoved = 0.004; ///< of an axis; less is noise
 
 } // namespace
 
-void DeviceHands::applyAxes(const DeviceState& state, const DeviceMap& map, Seen& seen,
-                            simulation::Hands& hands) const
+void DeviceInputs::applyAxes(const DeviceState& state, const DeviceMap& map, Seen& seen,
+                             simulation::ManualController& manual) const
 {
     for (const DeviceAxis& axis : map.axes)
     {
         const auto at = static_cast<std::size_t>(axis.axis);
-        const int place = hands.axisOf(axis.input);
+        const int place = manual.axisOf(axis.input);
         if (at >= state.axes.size() || place < 0 || std::abs(state.axes[at] - seen.axes[at]) < kMoved)
             continue;
         const auto moved = static_cast<std::size_t>(place);
-        const simulation::HandAxis& range = hands.axes()[moved];
-        hands.put(moved, inputOf(axis, state.axes[at], range.least, range.most));
+        const simulation::InputAxis& range = manual.axes()[moved];
+        manual.put(moved, inputOf(axis, state.axes[at], range.least, range.most));
     }
     for (const DeviceAxis& axis : map.axes)
     {
@@ -36,7 +36,7 @@ void DeviceHands::applyAxes(const DeviceState& state, const DeviceMap& map, Seen
     }
 }
 
-void DeviceHands::applyButtons(const DeviceState& state, const DeviceMap& map, Seen& seen, SeatKeys& keys)
+void DeviceInputs::applyButtons(const DeviceState& state, const DeviceMap& map, Seen& seen, SeatKeys& keys)
 {
     for (const DeviceButton& button : map.buttons)
     {
@@ -51,7 +51,7 @@ void DeviceHands::applyButtons(const DeviceState& state, const DeviceMap& map, S
 }
 
 /// Lets go of the buttons of devices that are gone; one that returns is seen anew.
-void DeviceHands::forgetGone(const std::vector<DeviceState>& states, SeatKeys& keys)
+void DeviceInputs::forgetGone(const std::vector<DeviceState>& states, SeatKeys& keys)
 {
     for (auto seen = _seen.begin(); seen != _seen.end();)
     {
@@ -67,7 +67,8 @@ void DeviceHands::forgetGone(const std::vector<DeviceState>& states, SeatKeys& k
     }
 }
 
-void DeviceHands::apply(const std::vector<DeviceState>& states, simulation::Hands* hands, SeatKeys& keys)
+void DeviceInputs::apply(const std::vector<DeviceState>& states, simulation::ManualController* manual,
+                         SeatKeys& keys)
 {
     forgetGone(states, keys);
     for (const DeviceState& state : states)
@@ -77,7 +78,7 @@ void DeviceHands::apply(const std::vector<DeviceState>& states, simulation::Hand
         Seen& seen = _seen[state.name];
         seen.axes.resize(state.axes.size(), 0.0);
         seen.isPressed.resize(state.isPressed.size(), false);
-        if (hands) applyAxes(state, *map, seen, *hands);
+        if (manual) applyAxes(state, *map, seen, *manual);
         applyButtons(state, *map, seen, keys);
     }
 }

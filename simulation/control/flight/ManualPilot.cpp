@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/control/flight/FlightHands.h"
+#include "simulation/control/flight/ManualPilot.h"
 
 namespace simulation
 {
 
-foundation::Result<Hands> pilotHands(const DynamicVehicle& aircraft)
+foundation::Result<ManualController> manualPilot(const DynamicVehicle& aircraft)
 {
     // Full deflection is for devices; keys, which know no half, reach less the faster the air is.
     constexpr double kSoftMps = 12.0, kElevatorLeast = 0.12, kAileronLeast = 0.25;
-    std::vector<HandAxis> axes{
+    std::vector<InputAxis> axes{
         {"elevator", -1.0, 1.0, 0.4, 0.8, 0.0, kSoftMps, kElevatorLeast},
         {"aileron", -1.0, 1.0, 0.8, 1.6, 0.0, kSoftMps, kAileronLeast},
         {"rudder", -1.0, 1.0, 1.2, 2.4, 0.0, kSoftMps, kAileronLeast},
@@ -21,7 +21,7 @@ foundation::Result<Hands> pilotHands(const DynamicVehicle& aircraft)
         {"starter", 0.0, 1.0, 1e3, 1e3},
         {"ignition", 0.0, 1.0, 1e3},
     };
-    return Hands::create(std::move(axes), aircraft);
+    return ManualController::create(std::move(axes), aircraft);
 }
 
 } // namespace simulation

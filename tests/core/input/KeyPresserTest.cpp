@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The simulated hand: which keys it presses for a wish.
-#include "input/KeyHand.h"
+#include "input/KeyPresser.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "StillVehicle.h"
-#include "input/HandInputs.h"
+#include "input/KeyInputs.h"
 #include "input/Keys.h"
 
 namespace
@@ -20,15 +20,15 @@ using namespace trainer;
 
 constexpr std::array<std::string_view, 4> kWished{"elevator", "elevator_trim", "flaps", "throttle"};
 
-simulation::Hands handsOf(const testsupport::StillVehicle& vehicle)
+simulation::ManualController handsOf(const testsupport::StillVehicle& vehicle)
 {
-    auto hands = simulation::Hands::create({{"elevator", -1.0, 1.0, 0.4, 0.8},
-                                            {"elevator_trim", -1.0, 1.0, 0.1},
-                                            {"flaps", 0.0, 1.0, 0.5},
-                                            {"throttle", 0.0, 1.0, 0.5}},
-                                           vehicle);
-    EXPECT_TRUE(hands);
-    return std::move(*hands);
+    auto manual = simulation::ManualController::create({{"elevator", -1.0, 1.0, 0.4, 0.8},
+                                                        {"elevator_trim", -1.0, 1.0, 0.1},
+                                                        {"flaps", 0.0, 1.0, 0.5},
+                                                        {"throttle", 0.0, 1.0, 0.5}},
+                                                       vehicle);
+    EXPECT_TRUE(manual);
+    return std::move(*manual);
 }
 
 std::string wordsOf(const std::vector<KeyStroke>& strokes)
@@ -39,35 +39,35 @@ std::string wordsOf(const std::vector<KeyStroke>& strokes)
     return words;
 }
 
-TEST(KeyHand, PressesWhatLeadsThereAndLetsGoThere)
+TEST(KeyPresser, PressesWhatLeadsThereAndLetsGoThere)
 {
     const testsupport::StillVehicle vehicle(kWished);
-    simulation::Hands hands = handsOf(vehicle);
-    KeyHand hand(KeyScope::flight);
+    simulation::ManualController manual = handsOf(vehicle);
+    KeyPresser hand(KeyScope::flight);
     const auto decide = [&](double throttle)
     {
         const std::array wishes{0.0, 0.0, 0.0, throttle};
-        return wordsOf(hand.decide(hands, wishes, kWished, 0.1));
+        return wordsOf(hand.decide(manual, wishes, kWished, 0.1));
     };
     EXPECT_EQ(decide(0.5), "+PageUp ");
     EXPECT_EQ(decide(0.5), "") << "a key that is down is not pressed again";
-    hands.add(3, 0.5);
+    manual.add(3, 0.5);
     EXPECT_EQ(decide(0.5), "-PageUp ");
     EXPECT_EQ(decide(0.2), "+PageDown ");
     EXPECT_EQ(decide(0.9), "+PageUp -PageDown ") << "in the order of the table";
 }
 
-TEST(KeyHand, TapsFlapsAndTrimsAway)
+TEST(KeyPresser, TapsFlapsAndTrimsAway)
 {
     const testsupport::StillVehicle vehicle(kWished);
-    simulation::Hands hands = handsOf(vehicle);
-    KeyHand hand(KeyScope::flight);
-    EXPECT_EQ(wordsOf(hand.decide(hands, std::array{0.0, 0.0, 0.6, 0.0}, kWished, 0.1)), "+f -f ");
-    addToInput(hands, "flaps", 1.0 / 3.0);
-    EXPECT_EQ(wordsOf(hand.decide(hands, std::array{0.0, 0.0, 0.4, 0.0}, kWished, 0.1)), "");
+    simulation::ManualController manual = handsOf(vehicle);
+    KeyPresser hand(KeyScope::flight);
+    EXPECT_EQ(wordsOf(hand.decide(manual, std::array{0.0, 0.0, 0.6, 0.0}, kWished, 0.1)), "+f -f ");
+    addToInput(manual, "flaps", 1.0 / 3.0);
+    EXPECT_EQ(wordsOf(hand.decide(manual, std::array{0.0, 0.0, 0.4, 0.0}, kWished, 0.1)), "");
     std::string words;
     for (int i = 0; i < 20; ++i) // an elevator that would be held for two seconds
-        words += wordsOf(hand.decide(hands, std::array{-0.2, 0.0, 1.0 / 3.0, 0.0}, kWished, 0.1));
+        words += wordsOf(hand.decide(manual, std::array{-0.2, 0.0, 1.0 / 3.0, 0.0}, kWished, 0.1));
     EXPECT_NE(words.find("+s "), std::string::npos) << words;
     EXPECT_NE(words.find("+Down "), std::string::npos) << words;
     EXPECT_EQ(words.find("+w "), std::string::npos) << words;
@@ -78,31 +78,31 @@ TEST(KeyHand, TapsFlapsAndTrimsAway)
 double meanElevator(double wish)
 {
     const testsupport::StillVehicle vehicle(kWished);
-    simulation::Hands hands = handsOf(vehicle);
-    KeyHand hand(KeyScope::flight);
+    simulation::ManualController manual = handsOf(vehicle);
+    KeyPresser hand(KeyScope::flight);
     double sum = 0.0, direction = 0.0;
     for (int i = 0; i < 200; ++i)
     {
-        for (const KeyStroke& stroke : hand.decide(hands, std::array{wish, 0.0, 0.0, 0.0}, kWished, 0.1))
+        for (const KeyStroke& stroke : hand.decide(manual, std::array{wish, 0.0, 0.0, 0.0}, kWished, 0.1))
             if (const std::string key = keyName(stroke.key); key == "Up" || key == "Down")
                 direction += (key == "Up" ? 1.0 : -1.0) * (stroke.isDown ? 1.0 : -1.0);
-        const double value = hands.value(0);
-        addToInput(hands, "elevator", direction != 0.0 ? 0.04 * direction : std::clamp(-value, -0.08, 0.08));
-        sum += hands.value(0);
+        const double value = manual.value(0);
+        addToInput(manual, "elevator", direction != 0.0 ? 0.04 * direction : std::clamp(-value, -0.08, 0.08));
+        sum += manual.value(0);
     }
     return sum / 200.0;
 }
 
-TEST(KeyHand, IsRightInTheMeanWhereAPushIsTooCoarse)
+TEST(KeyPresser, IsRightInTheMeanWhereAPushIsTooCoarse)
 {
     EXPECT_NEAR(meanElevator(-0.013), -0.013, 0.004);
     EXPECT_NEAR(meanElevator(0.029), 0.029, 0.004);
 }
 
-TEST(KeyHand, WaitsWithoutWishes)
+TEST(KeyPresser, WaitsWithoutWishes)
 {
     const testsupport::StillVehicle vehicle(kWished);
-    KeyHand hand(KeyScope::flight);
+    KeyPresser hand(KeyScope::flight);
     EXPECT_TRUE(hand.decide(handsOf(vehicle), {}, kWished, 0.1).empty());
 }
 

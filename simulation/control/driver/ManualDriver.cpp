@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/control/driver/RoadHands.h"
+#include "simulation/control/driver/ManualDriver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,14 +52,14 @@ private:
 
 } // namespace
 
-Hands driverHands(const RoadVehicle& vehicle)
+ManualController manualDriver(const RoadVehicle& vehicle)
 {
     const RoadVehicleData& data = vehicle.data();
     const double lockRad = foundation::radiansOf(data.steering.lockDeg);
     // A bend of the radius speed² / kBendMps2 takes the angle wheelbase / radius, and what understeer adds.
     const double softMps = std::sqrt(kBendMps2 * data.wheelbaseM() / lockRad);
     const double softLeast = kBendMps2 * understeerOf(data) / lockRad;
-    std::vector<HandAxis> axes{
+    std::vector<InputAxis> axes{
         {"steering", -1.0, 1.0, 0.6, 1.2, 0.0, softMps, softLeast},
         {"throttle", 0.0, 1.0, 1.5, 3.0},
         {"brake", 0.0, 1.0, 1.5, 4.0},
@@ -68,9 +68,9 @@ Hands driverHands(const RoadVehicle& vehicle)
         {"indicator", -1.0, 1.0, 0.0},
         {"lights", -1.0, 1.0, 0.0},
     };
-    auto hands = Hands::create(std::move(axes), vehicle);
-    hands->finishBy(ClutchFoot(vehicle));
-    return std::move(*hands);
+    auto manual = ManualController::create(std::move(axes), vehicle);
+    manual->finishBy(ClutchFoot(vehicle));
+    return std::move(*manual);
 }
 
 } // namespace simulation
