@@ -22,10 +22,10 @@ protected:
             GTEST_SKIP() << "SKIPPED: no desk; install the packages xvfb and xdotool";
     }
 
-    /// Flies in a window of 240x136 while a shell does `deeds`: $w is the window, shot N waits for its N-th
+    /// Flies in a window of 240x136 while a shell does `actions`: $w is the window, shot N waits for its N-th
     /// picture, wanted by F12.
     /// Exit code: the trainer's.
-    ProgramRun fly(const std::string& deeds, const std::string& keys = "", const std::string& more = "",
+    ProgramRun fly(const std::string& actions, const std::string& keys = "", const std::string& more = "",
                    const std::string& before = "")
     {
         const std::string script = place.write("desk.keys", "osgtrainer-keys 1\n" + keys + "0.6 tap F12\n");
@@ -37,7 +37,7 @@ protected:
             " --window & p=$!; shot() { n=0; while [ ! -s " + path("picture-") +
             "$1.png ] && [ $n -lt 2400 ]; do n=$((n+1)); sleep 0.1; done; sleep 0.3; }; "
             "shot 1; w=$(xdotool search --onlyvisible --name '^trainer$' | head -n 1); " +
-            deeds + "; wait $p";
+            actions + "; wait $p";
         return runProgram({kOnDisplay, "--", "sh", "-c", line}, 400.0);
     }
 
@@ -130,15 +130,15 @@ TEST_F(Desk, LosingTheFocusLetsGoOfTheKeys)
 
 TEST_F(Desk, DestroyedOrCutOffByOthersItKeepsItsRecording)
 {
-    for (const char* deed : {"windowclose", "windowkill"})
+    for (const char* action : {"windowclose", "windowkill"})
     {
         std::filesystem::remove(path("in.txt"));
         std::filesystem::remove(path("picture-1.png"));
-        const ProgramRun run = fly(std::string("xdotool ") + deed + " $w");
-        EXPECT_FALSE(run.timedOut) << deed;
-        EXPECT_EQ(run.exitCode, 1) << deed << run.text();
-        EXPECT_NE(run.text().find("what was recorded is written"), std::string::npos) << deed << run.text();
-        EXPECT_EQ(allOf(path("in.txt")).rfind("osgtrainer-inputs 1", 0), 0U) << deed << run.text();
+        const ProgramRun run = fly(std::string("xdotool ") + action + " $w");
+        EXPECT_FALSE(run.timedOut) << action;
+        EXPECT_EQ(run.exitCode, 1) << action << run.text();
+        EXPECT_NE(run.text().find("what was recorded is written"), std::string::npos) << action << run.text();
+        EXPECT_EQ(allOf(path("in.txt")).rfind("osgtrainer-inputs 1", 0), 0U) << action << run.text();
     }
 }
 

@@ -67,7 +67,8 @@ void KeyPresser::push(std::string_view input, double direction, std::vector<KeyS
     if (before == direction) return;
     for (const KeyBinding& binding : keyTable())
     {
-        if (binding.deed != KeyDeed::hold || binding.input != input || !isFor(binding, _vehicle)) continue;
+        if (binding.action != KeyAction::hold || binding.input != input || !isFor(binding, _vehicle))
+            continue;
         if (binding.amount == before) strokes.push_back({*keyOf(binding.key), false});
         if (binding.amount == direction) strokes.push_back({*keyOf(binding.key), true});
     }
@@ -79,7 +80,7 @@ void KeyPresser::add(std::string_view input, double missing, std::vector<KeyStro
 {
     for (const KeyBinding& binding : keyTable())
     {
-        if (binding.deed != KeyDeed::add || binding.input != input || !isFor(binding, _vehicle)) continue;
+        if (binding.action != KeyAction::add || binding.input != input || !isFor(binding, _vehicle)) continue;
         if (std::abs(missing - binding.amount) > std::abs(missing) - 1e-9) continue;
         strokes.push_back({*keyOf(binding.key), true});
         strokes.push_back({*keyOf(binding.key), false});

@@ -9,7 +9,7 @@ namespace trainer
 namespace
 {
 
-using enum KeyDeed;
+using enum KeyAction;
 using Scope = KeyScope;
 
 constexpr std::array kBindings{

@@ -8,7 +8,7 @@ namespace trainer
 {
 
 /// What a key does.
-enum class KeyDeed
+enum class KeyAction
 {
     hold, ///< moves an input of the vehicle while it is held
     add,  ///< moves one by an amount
@@ -52,7 +52,7 @@ struct KeyBinding
 {
     std::string_view key; ///< of keyOf()
     KeyScope scope;
-    KeyDeed deed;
+    KeyAction action;
     std::string_view input; ///< of the vehicle, with hold, add and flip
     double amount;          ///< direction, or how much
     std::string_view text;  ///< in the help
@@ -61,11 +61,11 @@ struct KeyBinding
 /// Every key. No key stands twice in what one vehicle sees.
 std::span<const KeyBinding> keyTable();
 
-/// Whether a deed lasts while its key is held: its amount is then the sum of what is held, and 0 when nothing
-/// is.
-constexpr bool isHeld(KeyDeed deed)
+/// Whether a action lasts while its key is held: its amount is then the sum of what is held, and 0 when
+/// nothing is.
+constexpr bool isHeld(KeyAction action)
 {
-    return deed == KeyDeed::hold || (deed >= KeyDeed::glance && deed <= KeyDeed::leanUp);
+    return action == KeyAction::hold || (action >= KeyAction::glance && action <= KeyAction::leanUp);
 }
 
 /// Whether a binding is there for a vehicle of the kind `vehicle` (ride stands for none: then scope all alone

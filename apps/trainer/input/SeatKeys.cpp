@@ -21,8 +21,8 @@ void SeatKeys::pushHeld(const KeyBinding& binding)
     double sum = 0.0;
     for (const int key : _held)
         if (const KeyBinding* held = bindingOf(key))
-            if (held->deed == binding.deed && held->input == binding.input) sum += held->amount;
-    if (binding.deed != KeyDeed::hold) return _target.act(binding.deed, sum);
+            if (held->action == binding.action && held->input == binding.input) sum += held->amount;
+    if (binding.action != KeyAction::hold) return _target.act(binding.action, sum);
     _target.holdInput(binding.input, std::clamp(sum, -1.0, 1.0));
 }
 
@@ -32,15 +32,15 @@ void SeatKeys::press(int key)
     _held.push_back(key);
     const KeyBinding* binding = bindingOf(key);
     if (!binding) return;
-    if (isHeld(binding->deed)) return pushHeld(*binding);
-    switch (binding->deed)
+    if (isHeld(binding->action)) return pushHeld(*binding);
+    switch (binding->action)
     {
-    case KeyDeed::add:
+    case KeyAction::add:
         return _target.addToInput(binding->input, binding->amount);
-    case KeyDeed::flip:
+    case KeyAction::flip:
         return _target.flipInput(binding->input);
     default:
-        return _target.act(binding->deed, binding->amount);
+        return _target.act(binding->action, binding->amount);
     }
 }
 
@@ -50,7 +50,7 @@ void SeatKeys::release(int key)
     if (found == _held.end()) return;
     _held.erase(found);
     const KeyBinding* binding = bindingOf(key);
-    if (binding && isHeld(binding->deed)) pushHeld(*binding);
+    if (binding && isHeld(binding->action)) pushHeld(*binding);
 }
 
 void SeatKeys::releaseAll()

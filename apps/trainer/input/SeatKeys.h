@@ -21,11 +21,11 @@ public:
     virtual void addToInput(std::string_view input, double amount) = 0;
     virtual void flipInput(std::string_view input) = 0;
 
-    /// Everything else; deeds that are held have the sum of what is held, and 0 when nothing is.
-    virtual void act(KeyDeed deed, double amount) = 0;
+    /// Everything else; actions that are held have the sum of what is held, and 0 when nothing is.
+    virtual void act(KeyAction action, double amount) = 0;
 };
 
-/// Turns keys that go down and up into deeds, by the table. A key that repeats is held, not pressed again.
+/// Turns keys that go down and up into actions, by the table. A key that repeats is held, not pressed again.
 /// Threads: one.
 class SeatKeys
 {

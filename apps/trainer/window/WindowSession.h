@@ -81,7 +81,7 @@ private:
     void holdInput(std::string_view input, double direction) override;
     void addToInput(std::string_view input, double amount) override;
     void flipInput(std::string_view input) override;
-    void act(KeyDeed deed, double amount) override;
+    void act(KeyAction action, double amount) override;
     void handOver();
     void toggleFullscreen();
     bool isHudShown() const;

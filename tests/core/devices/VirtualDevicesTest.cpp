@@ -25,7 +25,7 @@ public:
     }
     void addToInput(std::string_view /*input*/, double /*amount*/) override {}
     void flipInput(std::string_view /*input*/) override {}
-    void act(KeyDeed /*deed*/, double /*amount*/) override {}
+    void act(KeyAction /*action*/, double /*amount*/) override {}
 
     std::string last;
     double held = 0.0;

@@ -27,15 +27,15 @@ public:
     }
     void addToInput(std::string_view input, double amount) override { added[std::string(input)] += amount; }
     void flipInput(std::string_view input) override { ++flipped[std::string(input)]; }
-    void act(KeyDeed deed, double amount) override
+    void act(KeyAction action, double amount) override
     {
-        ++acts[deed];
+        ++acts[action];
         lastAmount = amount;
     }
 
     std::map<std::string, double> held, added;
     std::map<std::string, int> flipped;
-    std::map<KeyDeed, int> acts;
+    std::map<KeyAction, int> acts;
     double lastAmount = 0.0;
 };
 
@@ -79,20 +79,20 @@ TEST(SeatKeys, TheSameKeyDoesAnotherThingInACar)
     EXPECT_EQ(target.added.count("flaps"), 0U);
 }
 
-TEST(SeatKeys, DeedsHappenOnceAPress)
+TEST(SeatKeys, ActionsHappenOnceAPress)
 {
     NotedTarget target;
     SeatKeys keys(KeyScope::all, target);
     keys.press(code("p"));
     keys.press(code("p"));
-    EXPECT_EQ(target.acts[KeyDeed::pause], 1);
+    EXPECT_EQ(target.acts[KeyAction::pause], 1);
     keys.release(code("p"));
     keys.press(code("p"));
-    EXPECT_EQ(target.acts[KeyDeed::pause], 2);
+    EXPECT_EQ(target.acts[KeyAction::pause], 2);
     keys.press(code("3"));
     EXPECT_EQ(target.lastAmount, 2.0);
     keys.press(code("Tab")); // nothing to take over
-    EXPECT_EQ(target.acts.count(KeyDeed::handOver), 0U);
+    EXPECT_EQ(target.acts.count(KeyAction::handOver), 0U);
     keys.press(123456);
     keys.release(654321);
 }

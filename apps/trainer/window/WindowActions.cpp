@@ -125,61 +125,61 @@ bool WindowSession::isHudShown() const
     return _isHudWanted.value_or(!_interior || !_camera->isInside());
 }
 
-void WindowSession::act(KeyDeed deed, double amount)
+void WindowSession::act(KeyAction action, double amount)
 {
     simulation::RealTimePace& pace = _live->pace();
-    switch (deed)
+    switch (action)
     {
-    case KeyDeed::help:
+    case KeyAction::help:
         return _overlay.showHelp(_vehicle, !_overlay.isHelpShown());
-    case KeyDeed::statistics:
+    case KeyAction::statistics:
         return _overlay.showStatistics(!_overlay.areStatisticsShown());
-    case KeyDeed::instruments:
+    case KeyAction::instruments:
         _isHudWanted = !isHudShown();
         return;
-    case KeyDeed::fullscreen:
+    case KeyAction::fullscreen:
         return toggleFullscreen();
-    case KeyDeed::picture:
+    case KeyAction::picture:
         return _pictures->ask();
-    case KeyDeed::end:
+    case KeyAction::end:
         _isEnded = true;
         return;
-    case KeyDeed::view:
+    case KeyAction::view:
         return _camera->setView(static_cast<std::size_t>(amount));
-    case KeyDeed::nextView:
+    case KeyAction::nextView:
         return _camera->nextView();
-    case KeyDeed::glance:
+    case KeyAction::glance:
         return _camera->glance(amount);
-    case KeyDeed::leanAhead:
+    case KeyAction::leanAhead:
         return _camera->lean(0, kLeanMps * amount);
-    case KeyDeed::leanLeft:
+    case KeyAction::leanLeft:
         return _camera->lean(1, kLeanMps * amount);
-    case KeyDeed::leanUp:
+    case KeyAction::leanUp:
         return _camera->lean(2, kLeanMps * amount);
-    case KeyDeed::straighten:
+    case KeyAction::straighten:
         return _camera->straighten();
-    case KeyDeed::panel:
+    case KeyAction::panel:
         if (_interior) _camera->readPanel(!_camera->readsPanel(), _interior->view().panel());
         return;
-    case KeyDeed::altimeter:
+    case KeyAction::altimeter:
         if (!_interior) return;
         return tell("altimeter set to " + std::to_string(std::lround(_interior->turnAltimeter(amount))) +
                     " hPa");
-    case KeyDeed::pause:
+    case KeyAction::pause:
         return pace.setPaused(!pace.isPaused());
-    case KeyDeed::step:
+    case KeyAction::step:
         return pace.stepOnce();
-    case KeyDeed::slower:
+    case KeyAction::slower:
         return pace.slower();
-    case KeyDeed::faster:
+    case KeyAction::faster:
         return pace.faster();
-    case KeyDeed::realTime:
+    case KeyAction::realTime:
         return pace.setRate(1.0);
-    case KeyDeed::reset:
+    case KeyAction::reset:
         return restart(_place);
-    case KeyDeed::reposition:
+    case KeyAction::reposition:
         return restart(_maker ? (_place + 1) % _maker->places().size() : 0);
-    case KeyDeed::handOver:
+    case KeyAction::handOver:
         return handOver();
     default:
         return;
