@@ -48,7 +48,7 @@ void addRoad(const Road& road, Contents& contents)
 
 std::size_t mistakesIn(const ReadNetwork& read)
 {
-    return read.untoldMistakes +
+    return read.mistakesNotListed +
            static_cast<std::size_t>(std::count_if(read.problems.begin(), read.problems.end(),
                                                   [](const Problem& problem)
                                                   { return problem.kind == ProblemKind::mistake; }));

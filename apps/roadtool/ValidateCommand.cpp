@@ -55,7 +55,7 @@ double lengthOf(const RoadNetwork& network)
 
 ordered_json rowOf(const std::string& file, const ReadNetwork& read, const NetworkFlaws& flaws)
 {
-    std::size_t mistakes = read.untoldMistakes, unsupported = 0;
+    std::size_t mistakes = read.mistakesNotListed, unsupported = 0;
     for (const Problem& problem : read.problems)
         (problem.kind == ProblemKind::mistake ? mistakes : unsupported) += problem.count;
     ordered_json row;

@@ -16,11 +16,11 @@
 #include "worldmaking/streets/CoverCrossings.h"
 #include "worldmaking/streets/CrossedWays.h"
 #include "worldmaking/streets/CrossingNotes.h"
+#include "worldmaking/streets/ImpliedBridges.h"
 #include "worldmaking/streets/Overpass.h"
 #include "worldmaking/streets/StreetHeights.h"
 #include "worldmaking/streets/StreetNetwork.h"
 #include "worldmaking/streets/Tracks.h"
-#include "worldmaking/streets/UntoldBridges.h"
 
 namespace worldmaking
 {
@@ -157,9 +157,9 @@ Crossings crossingsOf(const AllWays& ways, std::size_t tracks, const LandMap& la
     crossings.tracks = tracks;
     Overpasses passes = overpassesOf(ways.graph, ways.places, ways.lines);
     crossings.overpasses = std::move(passes.found);
-    crossings.untold = std::move(passes.untold);
+    crossings.leftOpen = std::move(passes.leftOpen);
     crossings.levels = levelPlaces(ways.graph, crossings.tracks, ways.lines);
-    for (const Overpass& pass : crossings.untold) // a street and a railway: at one level
+    for (const Overpass& pass : crossings.leftOpen) // a street and a railway: at one level
         if (pass.upper < crossings.tracks && pass.lower >= crossings.tracks)
             crossings.levels.push_back({pass.upper, pass.lower, pass.upperM, pass.lowerM});
     crossings.crossed = crossedPlaces(ways.graph, ways.places, ways.lines, land, plane);
@@ -207,14 +207,14 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation:
     report.closedWays = graph.closedWays;
     report.overpasses = crossings.overpasses.size();
     report.lostOverpasses = heights.lost.size();
-    report.untoldOverpasses = crossings.untold.size();
+    report.overpassesLeftOpen = crossings.leftOpen.size();
     report.tracks = ways->graph.chains.size() - crossings.tracks;
     report.levelCrossings = crossings.levels.size();
     report.bareTunnels = heights.bareTunnels.size();
     StreetNetwork network(used, graph, ways->lines, cuts, heights);
     network.build(streets.network, report);
     report.coveredCrossings = coverCrossings(streets.network, ways->graph, cuts, crossings, heights);
-    report.untoldBridges = addUntoldBridges(streets.network);
+    report.impliedBridges = addImpliedBridges(streets.network);
     const auto spans = trackSpans(ways->graph, cuts, crossings, heights);
     const LaneSurface surface(streets.network);
     const foundation::HeightInPlan groundHeight = height;

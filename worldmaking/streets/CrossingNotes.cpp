@@ -72,10 +72,10 @@ public:
         close(kind);
     }
 
-    void addUntold()
+    void addImplied()
     {
         Kind kind("crossings are left open by the map");
-        for (const Overpass& pass : _facts.crossings.untold)
+        for (const Overpass& pass : _facts.crossings.leftOpen)
         {
             const auto isTram = [&](std::size_t chain, double alongM)
             { return traitsAt(chain, alongM).kind == "tram"; };
@@ -159,7 +159,7 @@ std::vector<std::string> crossingNotes(const CrossingFacts& facts)
     writer.addLost();
     writer.addLostCrossed();
     writer.addTunnels();
-    writer.addUntold();
+    writer.addImplied();
     return std::move(writer.notes);
 }
 

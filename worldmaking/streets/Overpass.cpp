@@ -120,7 +120,7 @@ Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>&
         pass.sine = sineBetween(places[ends[1]] - places[ends[0]], places[ends[3]] - places[ends[2]]);
         if (above == 0)
         {
-            result.untold.push_back(pass);
+            result.leftOpen.push_back(pass);
             continue;
         }
         const StreetTraits& below = above > 0 ? traits(b) : traits(a);

@@ -27,7 +27,7 @@ struct Overpass
 struct Overpasses
 {
     std::vector<Overpass> found;
-    std::vector<Overpass> untold; ///< `upper` and `lower` say nothing
+    std::vector<Overpass> leftOpen; ///< `upper` and `lower` say nothing
 };
 
 /// What must lie between the heights of two ways. Units: metres.

@@ -14,7 +14,7 @@
 
 #include "MadeStreets.h"
 #include "TestFolder.h"
-#include "worldmaking/streets/UntoldBridges.h"
+#include "worldmaking/streets/ImpliedBridges.h"
 
 namespace
 {
@@ -276,7 +276,7 @@ std::size_t bridgesBeside(double higherM)
     network.roads[1].id = "1";
     network.roads[1].laneOffset = CubicProfile({Cubic{0.0, 6.0}});
     network.index();
-    const std::size_t count = worldmaking::addUntoldBridges(network);
+    const std::size_t count = worldmaking::addImpliedBridges(network);
     EXPECT_TRUE(network.roads[0].structures.empty());
     EXPECT_EQ(network.roads[1].structures.size(), count);
     return count;

@@ -12,7 +12,7 @@ void ReadContext::mistake(int line, const std::string& what, const std::string& 
 {
     if (_mistakes.size() == ReadNetwork::kMostMistakes)
     {
-        ++_untold;
+        ++_notListed;
         return;
     }
     _mistakes.push_back(
@@ -35,7 +35,7 @@ void ReadContext::moveTo(ReadNetwork& result)
     std::move(_unsupported.begin(), _unsupported.end(), std::back_inserter(result.problems));
     std::stable_sort(result.problems.begin(), result.problems.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
-    result.untoldMistakes = _untold;
+    result.mistakesNotListed = _notListed;
 }
 
 } // namespace osgRoads::core

@@ -34,7 +34,7 @@ private:
     const foundation::XmlSource& _source;
     std::vector<Problem> _mistakes, _unsupported;
     std::unordered_map<std::string, std::size_t> _unsupportedIndex;
-    std::size_t _untold = 0;
+    std::size_t _notListed = 0;
 };
 
 } // namespace osgRoads::core

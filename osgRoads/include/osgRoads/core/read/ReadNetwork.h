@@ -24,8 +24,8 @@ struct ReadOptions
 struct ReadNetwork
 {
     RoadNetwork network;
-    std::vector<Problem> problems;  ///< in the order of the file; at most kMostMistakes mistakes
-    std::size_t untoldMistakes = 0; ///< beyond those
+    std::vector<Problem> problems;     ///< in the order of the file; at most kMostMistakes mistakes
+    std::size_t mistakesNotListed = 0; ///< beyond those
 
     static constexpr std::size_t kMostMistakes = 1000;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "worldmaking/streets/UntoldBridges.h"
+#include "worldmaking/streets/ImpliedBridges.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +25,7 @@ constexpr double kMostBesideM = 6.0; ///< from the middle of a road to lower lan
 constexpr double kWallM = 0.9;       ///< that a bed and the skirt of a road's surface hide
 constexpr double kSlope = 0.5, kSlopeFromM = 3.6; ///< of the ground, from so far beside the lower lanes on
 constexpr double kAbutmentM = 6.0;                ///< of a bridge, before and after what it spans
-constexpr double kLeastUntoldBridgeM = 2.0;
+constexpr double kLeastImpliedBridgeM = 2.0;
 
 struct Stretch
 {
@@ -85,12 +85,12 @@ void cutOff(const Road& road, std::vector<Stretch>& stretches)
                 stretch.from = std::min(end, stretch.to);
         }
     std::erase_if(stretches, [&](const Stretch& stretch)
-                  { return stretch.to - stretch.from < std::min(kLeastUntoldBridgeM, 0.9 * road.length); });
+                  { return stretch.to - stretch.from < std::min(kLeastImpliedBridgeM, 0.9 * road.length); });
 }
 
 } // namespace
 
-std::size_t addUntoldBridges(RoadNetwork& network)
+std::size_t addImpliedBridges(RoadNetwork& network)
 {
     std::vector<std::vector<Stretch>> found;
     const osgRoads::core::RoadLocator locator(network);

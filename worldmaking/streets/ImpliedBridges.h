@@ -12,6 +12,6 @@ namespace worldmaking
 /// right beside or under them: bridges without a tag, and streets over garages. A turn in a crossing becomes
 /// one as a whole. Returns their number.
 /// Cost: some 4 µs for each 5 m of road.
-std::size_t addUntoldBridges(osgRoads::core::RoadNetwork& network);
+std::size_t addImpliedBridges(osgRoads::core::RoadNetwork& network);
 
 } // namespace worldmaking
