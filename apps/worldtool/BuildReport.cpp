@@ -145,7 +145,7 @@ nlohmann::ordered_json rowOf(const worldmaking::LandReport& report, std::size_t 
             {"aprons", report.aprons},
             {"runways", report.runways},
             {"unusedRunways", unusedRunways},
-            {"silentWoodsHa", report.silentWoodsHa}};
+            {"untaggedWoodsHa", report.untaggedWoodsHa}};
 }
 
 nlohmann::ordered_json rowOf(const worldmaking::TreeReport& report)

@@ -23,9 +23,9 @@
 #include "worldmaking/land/HouseFile.h"
 #include "worldmaking/land/LandUse.h"
 #include "worldmaking/land/ModelPoints.h"
-#include "worldmaking/land/SilentLand.h"
 #include "worldmaking/land/Structures.h"
 #include "worldmaking/land/Trees.h"
+#include "worldmaking/land/UntaggedLand.h"
 #include "worldmaking/streets/Overpass.h"
 #include "worldtool/BuildReport.h"
 #include "worldtool/RideFiles.h"
@@ -319,9 +319,9 @@ void WorldMaker::fillCover(worldmaking::CoverRaster& cover, const worldmaking::M
                 return place ? _source.coverAt(*place) : worldmaking::Cover::none;
             });
     else if (!_source.request.maps.empty() && middle)
-        worldmaking::fillSilentLand(cover, {room, _houses, height, middle->y});
-    land.silentWoodsHa = 1e-4 * cover.texelM() * cover.texelM() *
-                         static_cast<double>(cover.count(worldmaking::Cover::trees) - before);
+        worldmaking::fillUntaggedLand(cover, {room, _houses, height, middle->y});
+    land.untaggedWoodsHa = 1e-4 * cover.texelM() * cover.texelM() *
+                           static_cast<double>(cover.count(worldmaking::Cover::trees) - before);
 }
 
 foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,

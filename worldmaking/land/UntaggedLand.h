@@ -12,8 +12,8 @@
 namespace worldmaking
 {
 
-/// What woods keep away from where the map is silent.
-struct SilentLand
+/// What woods keep away from where the map has no tags.
+struct UntaggedLand
 {
     const RoadRoom& roads;
     std::span<const House> houses;
@@ -23,15 +23,15 @@ struct SilentLand
 
 /// Puts woods where a map says nothing, so that what is drawn there as wood has
 /// trees: on slopes more than on level ground, in patches of some hundred
-/// metres, kSilentRoomM from houses and 15 m from lanes, up to the tree line of
-/// the latitude. Returns how many texels are wood now that were silent. The
-/// rest stays silent.
-std::size_t fillSilentLand(CoverRaster& cover, const SilentLand& land);
+/// metres, kUntaggedRoomM from houses and 15 m from lanes, up to the tree line of
+/// the latitude. Returns how many texels are wood now that were untagged. The
+/// rest stays untagged.
+std::size_t fillUntaggedLand(CoverRaster& cover, const UntaggedLand& land);
 
 /// Height of the tree line, metres. Source: Körner, *Alpine treelines*, 2012,
 /// fig. 4.1, as two straight lines.
 double treeLineM(double latitudeDeg);
 
-inline constexpr double kSilentRoomM = 60.0;
+inline constexpr double kUntaggedRoomM = 60.0;
 
 } // namespace worldmaking

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "worldmaking/land/SilentLand.h"
+#include "worldmaking/land/UntaggedLand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,13 +60,13 @@ double treeLineM(double latitudeDeg)
     return latitude < 32.0 ? 3800.0 : std::max(3800.0 - 105.0 * (latitude - 32.0), 0.0);
 }
 
-std::size_t fillSilentLand(CoverRaster& cover, const SilentLand& land)
+std::size_t fillUntaggedLand(CoverRaster& cover, const UntaggedLand& land)
 {
     PlanGrid houses;
     for (std::size_t i = 0; i < land.houses.size(); ++i)
     {
         const MapBox box = boxOf(land.houses[i].building.rings.front());
-        houses.add(i, {box.low - kSilentRoomM, box.high + kSilentRoomM});
+        houses.add(i, {box.low - kUntaggedRoomM, box.high + kUntaggedRoomM});
     }
     SquareHeights heights(land.height);
     const double line = treeLineM(land.latitudeDeg);
