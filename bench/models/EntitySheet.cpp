@@ -15,7 +15,7 @@
 #include "Picture.h"
 #include "Plain.h"
 #include "measurement/view/ContactSheet.h"
-#include "scenery/models/entities/UsualSize.h"
+#include "scenery/models/entities/DefaultSize.h"
 #include "scenery/nodes/EntityNode.h"
 
 namespace
@@ -79,7 +79,7 @@ EntityShape shapeOf(EntityKind kind)
     shape.blue = 0.09F;
     if (kind == EntityKind::box) shape.red = 0.58F, shape.green = 0.44F, shape.blue = 0.28F;
     if (scenery::models::isAnimal(kind)) shape.red = 0.33F, shape.green = 0.24F, shape.blue = 0.16F;
-    scenery::models::setUsualSize(shape);
+    scenery::models::setDefaultSize(shape);
     return shape;
 }
 

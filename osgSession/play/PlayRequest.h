@@ -68,7 +68,7 @@ struct StripRequest
 };
 
 /// The usual limit of the terrain's triangles.
-inline constexpr std::uint32_t kUsualMaxTriangles = 500000;
+inline constexpr std::uint32_t kDefaultMaxTriangles = 500000;
 
 /// The terrain and how it is drawn.
 struct TerrainRequest
@@ -82,7 +82,7 @@ struct TerrainRequest
     std::optional<osgTerrainROAM::core::Method> method{}; ///< of level of detail; absent: the terrain's own
     double errorTolerancePx = 1.0;
     std::optional<std::uint32_t>
-        maxTriangles{};    ///< absent: kUsualMaxTriangles, or none where the method needs more
+        maxTriangles{};    ///< absent: kDefaultMaxTriangles, or none where the method needs more
     bool morphing = false; ///< vertices move to their new position during several frames
     std::optional<int> patchExponent =
         0; ///< 2^k triangles a leaf; absent: measured to be the fastest on this machine

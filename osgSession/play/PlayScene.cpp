@@ -21,10 +21,10 @@ namespace
 
 /// The limit of triangles where the command line names none: blocks with locked borders cannot do with fewer
 /// than their borders have.
-std::uint32_t usualMaxTriangles(osgTerrainROAM::core::Method method)
+std::uint32_t defaultMaxTriangles(osgTerrainROAM::core::Method method)
 {
     return method == osgTerrainROAM::core::Method::vipmLocked ? std::numeric_limits<std::uint32_t>::max()
-                                                              : kUsualMaxTriangles;
+                                                              : kDefaultMaxTriangles;
 }
 
 foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const TerrainRequest& request)
@@ -32,7 +32,7 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     osgTerrainROAM::RoamDrawableSettings settings = terrain.settings();
     settings.method = request.method.value_or(settings.method);
     settings.errorTolerancePx = request.errorTolerancePx;
-    settings.maxTriangles = request.maxTriangles.value_or(usualMaxTriangles(settings.method));
+    settings.maxTriangles = request.maxTriangles.value_or(defaultMaxTriangles(settings.method));
     settings.morphing = request.morphing;
     settings.patchExponent = request.patchExponent.value_or(0);
     return terrain.setSettings(settings);

@@ -7,10 +7,10 @@
 #include <osgTerrainROAM/SunShadows>
 
 #include "ModelFile.h"
+#include "scenery/nodes/DefaultAircraft.h"
 #include "scenery/nodes/EntityLook.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/Pose.h"
-#include "scenery/nodes/UsualAircraft.h"
 
 namespace trainer
 {
@@ -104,8 +104,8 @@ void EntityModel::show(const simulation::EntityState& state, const Light& light,
                                                       : osgTerrainROAM::SunShadows::kCastsNone);
     if (!_generated) return _placed->setMatrix(matrixOf(scenery::poseOf(state)));
     simulation::EntityState shown = state;
-    if (_flies && !shown.aircraft) shown.aircraft = scenery::usualAircraftParts(state, light.isDark);
-    _lit = switched(scenery::usualLamps(shown, light.isDark, light.timeS), state);
+    if (_flies && !shown.aircraft) shown.aircraft = scenery::defaultAircraftParts(state, light.isDark);
+    _lit = switched(scenery::defaultLamps(shown, light.isDark, light.timeS), state);
     _generated->setState(shown, _lit);
     if (state.isVisible && (_isHidden || !castsByMaps))
         _generated->castShadow(light.sun, ground);

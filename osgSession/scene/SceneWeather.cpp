@@ -28,9 +28,9 @@ double cloudCover(const std::string& state, bool falls)
 
 simulation::Hydrometeors fallingOf(const simulation::EnvironmentState& environment)
 {
-    constexpr double kUsualMmPerHour = 4.0;
+    constexpr double kDefaultMmPerHour = 4.0;
     if (!environment.precipitation) return {};
-    const double mmPerHour = environment.precipitation->intensity.value_or(kUsualMmPerHour);
+    const double mmPerHour = environment.precipitation->intensity.value_or(kDefaultMmPerHour);
     if (environment.precipitation->type == "rain") return simulation::rainOf(mmPerHour);
     if (environment.precipitation->type == "snow") return simulation::snowOf(mmPerHour);
     return {};

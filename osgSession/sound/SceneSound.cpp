@@ -18,7 +18,7 @@ using simulation::SoundState;
 using simulation::TyreSound;
 
 constexpr int kCylinders = 4, kBlades = 2;
-constexpr double kHeardM = 400.0, kUsualLoad = 0.4, kMovesMps = 0.3;
+constexpr double kHeardM = 400.0, kDefaultLoad = 0.4, kMovesMps = 0.3;
 
 TyreSound soundOf(simulation::GroundKind kind)
 {
@@ -106,7 +106,7 @@ SoundState SceneSound::hear(const std::vector<simulation::EntityState>& entities
     {
         const Source& source = _sources[_listener];
         sound.engineHz = source.idleHz + source.hzPerMps * std::abs(own.speedMps);
-        sound.engineLoad = kUsualLoad;
+        sound.engineLoad = kDefaultLoad;
         if (_flies) sound.propellerHz = sound.engineHz;
         if (!_flies) sound.tyres = TyreSound::hard;
     }

@@ -7,7 +7,7 @@
 #include <foundation/Angle.h>
 #include <foundation/Units.h>
 
-#include "scenery/nodes/UsualAircraft.h"
+#include "scenery/nodes/DefaultAircraft.h"
 #include "simulation/vehicle/StandardAtmosphere.h"
 #include "simulation/vehicle/flight/Aircraft.h"
 #include "simulation/vehicle/road/RoadVehicle.h"
@@ -22,7 +22,7 @@ using scenery::models::EntityLamp;
 using scenery::models::Reading;
 using scenery::models::Readings;
 
-constexpr double kFullShare = 0.75, kUsualSteeringRatio = 15.0, kLeastTurnMps = 5.0, kBallG = 0.1;
+constexpr double kFullShare = 0.75, kDefaultSteeringRatio = 15.0, kLeastTurnMps = 5.0, kBallG = 0.1;
 
 bool isLit(const CockpitState& state, EntityLamp::Kind lamp)
 {
@@ -55,7 +55,7 @@ void addMotion(const CockpitState& state, Readings& readings)
     readings[Reading::fuelLeft] = readings[Reading::fuelRight] = readings[Reading::fuel] = kFullShare;
     if (!state.flies) return;
     const simulation::AircraftParts parts =
-        entity.aircraft ? *entity.aircraft : scenery::usualAircraftParts(entity, false);
+        entity.aircraft ? *entity.aircraft : scenery::defaultAircraftParts(entity, false);
     readings[Reading::propellerRadps] = parts.propellerRadps;
     readings[Reading::propellerTurnDeg] = parts.propellerTurnDeg;
     readings[Reading::engineRpm] = foundation::degreesOf(parts.propellerRadps) / 6.0; // a turn is 360 degrees
@@ -91,7 +91,7 @@ void addFlight(const simulation::Aircraft& aircraft, const CockpitState& state, 
 }
 
 /// Gears and revs of an engine as cars have it.
-void addUsualEngine(double speedMps, Readings& readings)
+void addDefaultEngine(double speedMps, Readings& readings)
 {
     constexpr double kIdleRpm = 800.0, kRpmPerMps[] = {390.0, 220.0, 145.0, 108.0, 86.0}, kUpRpm = 2800.0;
     const double forward = std::abs(speedMps);
@@ -105,12 +105,12 @@ void addUsualEngine(double speedMps, Readings& readings)
 void addDrive(const CockpitState& state, Readings& readings)
 {
     readings[Reading::speedKmh] = std::abs(state.entity.speedMps) * foundation::kKmhPerMps;
-    readings[Reading::steeringWheelDeg] = kUsualSteeringRatio * state.entity.steeringDeg;
+    readings[Reading::steeringWheelDeg] = kDefaultSteeringRatio * state.entity.steeringDeg;
     readings[Reading::indicatorLeft] = isLit(state, EntityLamp::Kind::indicatorLeft) ? 1.0 : 0.0;
     readings[Reading::indicatorRight] = isLit(state, EntityLamp::Kind::indicatorRight) ? 1.0 : 0.0;
     readings[Reading::headLamps] = isLit(state, EntityLamp::Kind::head) ? 1.0 : 0.0;
     const auto* const car = dynamic_cast<const simulation::RoadVehicle*>(state.vehicle);
-    if (!car) return addUsualEngine(state.entity.speedMps, readings);
+    if (!car) return addDefaultEngine(state.entity.speedMps, readings);
     const simulation::RoadReadings now = car->readings();
     readings[Reading::speedKmh] = std::abs(now.speedMps) * foundation::kKmhPerMps;
     readings[Reading::engineRpm] = now.engineRpm;

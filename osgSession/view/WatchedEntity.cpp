@@ -41,7 +41,7 @@ std::set<std::string> towedOf(const simulation::Scenario& scenario)
     return towed;
 }
 
-std::size_t usualOne(const simulation::Scenario& scenario)
+std::size_t defaultOne(const simulation::Scenario& scenario)
 {
     const std::vector<ScenarioObject>& entities = scenario.entities;
     const std::set<std::string> towed = towedOf(scenario);
@@ -58,7 +58,7 @@ std::size_t usualOne(const simulation::Scenario& scenario)
 
 foundation::Result<std::size_t> watchedEntity(const simulation::Scenario& scenario, const std::string& name)
 {
-    if (name.empty()) return usualOne(scenario);
+    if (name.empty()) return defaultOne(scenario);
     std::string names;
     for (std::size_t i = 0; i < scenario.entities.size(); ++i)
     {

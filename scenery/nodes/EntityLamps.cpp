@@ -85,7 +85,7 @@ osg::Vec3f glowOf(const models::EntityLamp& lamp)
 
 } // namespace
 
-models::LitLamps usualLamps(const simulation::EntityState& state, bool isDark, double timeS)
+models::LitLamps defaultLamps(const simulation::EntityState& state, bool isDark, double timeS)
 {
     using Kind = models::EntityLamp::Kind;
     if (state.aircraft) return lampsOf(*state.aircraft, timeS);

@@ -18,7 +18,7 @@ namespace scenery
 /// slows down by more than 0.5 m/s², the reversing lamps while it goes backwards, and head and tail lamps in
 /// the dark. Those of an aircraft are on as its parts say; strobes and the beacon flash by `timeS`, once in
 /// 1.2 s and in 1 s.
-models::LitLamps usualLamps(const simulation::EntityState& state, bool isDark, double timeS = 0.0);
+models::LitLamps defaultLamps(const simulation::EntityState& state, bool isDark, double timeS = 0.0);
 
 /// The lamps of one entity. Those that are lit shine by themselves, with a glow about them; the others are
 /// not drawn, so that the lenses of the model are seen. Frame: the entity's. Threads: light() in the update

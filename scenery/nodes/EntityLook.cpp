@@ -8,7 +8,7 @@
 
 #include <foundation/SmallLetters.h>
 
-#include "scenery/models/entities/UsualSize.h"
+#include "scenery/models/entities/DefaultSize.h"
 
 namespace scenery
 {
@@ -235,7 +235,7 @@ EntityLook entityLook(const simulation::ScenarioObject& object)
     shape.green = colour.green;
     shape.blue = colour.blue;
     const bool isFitting = models::isPlausible(shape);
-    if (!isFitting) models::setUsualSize(shape);
+    if (!isFitting) models::setDefaultSize(shape);
     if (shape.kind == EntityKind::car) shape.body = bodyOf(shape, words, object.name);
     // Aircraft have one size for each kind unless the file's is plainly another.
     if (isFitting || models::isAircraft(shape.kind) || box == simulation::BoundingBox{}) return look;

@@ -115,7 +115,7 @@ std::vector<LanePathPoint> lanePath(const osgRoads::core::PlacedNetwork& roads,
     return path;
 }
 
-double usualSpeedMps(const osgRoads::core::RoadNetwork& network)
+double defaultSpeedMps(const osgRoads::core::RoadNetwork& network)
 {
     double lengthM = 0.0, sum = 0.0;
     for (const Road& road : network.roads)

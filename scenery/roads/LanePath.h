@@ -27,7 +27,7 @@ std::vector<LanePathPoint> lanePath(const osgRoads::core::PlacedNetwork& roads,
                                     const osgRoads::core::LaneRoute& route);
 
 /// Returns the mean of the speeds that are allowed on the roads, by their lengths.
-double usualSpeedMps(const osgRoads::core::RoadNetwork& network);
+double defaultSpeedMps(const osgRoads::core::RoadNetwork& network);
 
 inline constexpr double kLanePathStepM = 1.0, kBlendWayM = 40.0;
 

@@ -12,8 +12,9 @@ namespace scenery
 namespace
 {
 
-constexpr double kMostSpanM = 600.0, kUsualSpanM = 350.0; ///< of pylons: longer than the first, it is divided
-constexpr double kMostPolesM = 160.0, kUsualPolesM = 70.0;
+constexpr double kMostSpanM = 600.0,
+                 kDefaultSpanM = 350.0; ///< of pylons: longer than the first, it is divided
+constexpr double kMostPolesM = 160.0, kDefaultPolesM = 70.0;
 constexpr double kMostRaiseM = 25.0;
 constexpr double kLeastSpanM = 8.0;
 
@@ -26,9 +27,10 @@ std::vector<glm::dvec2> placesOf(const Structure& line)
         const glm::dvec2 a = places.back(), b = line.line[i + 1];
         const double lengthM = glm::distance(a, b);
         if (lengthM < kLeastSpanM && i + 2 < line.line.size()) continue;
-        const int spans = lengthM > (isPoles ? kMostPolesM : kMostSpanM)
-                              ? static_cast<int>(std::ceil(lengthM / (isPoles ? kUsualPolesM : kUsualSpanM)))
-                              : 1;
+        const int spans =
+            lengthM > (isPoles ? kMostPolesM : kMostSpanM)
+                ? static_cast<int>(std::ceil(lengthM / (isPoles ? kDefaultPolesM : kDefaultSpanM)))
+                : 1;
         for (int span = 1; span <= spans; ++span)
             places.push_back(glm::mix(a, b, static_cast<double>(span) / spans));
     }

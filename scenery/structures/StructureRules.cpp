@@ -89,8 +89,8 @@ bool setPower(Structure& structure, const StructureTags& tags)
     if (power != "line" && power != "minor_line") return false;
     structure.kind = power == "line" ? StructureKind::powerLine : StructureKind::poleLine;
     const bool isHigh = foundation::numberOfTag(tagOf(tags, "voltage")).value_or(0.0) >= kHighVoltage;
-    const double usualM = power == "minor_line" ? 9.5 : isHigh ? 48.0 : 28.0;
-    structure.heightM = metresOf(tags, "height", 5.0, 150.0, usualM);
+    const double defaultM = power == "minor_line" ? 9.5 : isHigh ? 48.0 : 28.0;
+    structure.heightM = metresOf(tags, "height", 5.0, 150.0, defaultM);
     return true;
 }
 

@@ -2,7 +2,7 @@
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
 #include "simulation/parser/Expression.h"
-#include "simulation/scenario/UsualVehicle.h"
+#include "simulation/scenario/DefaultVehicle.h"
 
 namespace simulation
 {
@@ -53,7 +53,7 @@ void parsePerformance(ElementReader reader, Vehicle& vehicle)
     const pugi::xml_node node = reader.node.child("Performance");
     if (!node)
     {
-        vehicle.performance = usualVehicle(vehicle.category).performance;
+        vehicle.performance = defaultVehicle(vehicle.category).performance;
         return reader.context.assumed(reader.node, "Vehicle has no element Performance",
                                       "that of a usual " + vehicle.category + " is taken; add it");
     }
@@ -97,7 +97,7 @@ Vehicle parseVehicle(ElementReader reader)
         parseAxles({context, node}, vehicle);
     else
     {
-        fitUsualAxles(vehicle);
+        fitDefaultAxles(vehicle);
         context.assumed(reader.node, "Vehicle has no element Axles",
                         "those of a usual " + vehicle.category + " are fitted into its box; add it");
     }

@@ -3,7 +3,7 @@
 
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
-#include "simulation/scenario/UsualVehicle.h"
+#include "simulation/scenario/DefaultVehicle.h"
 
 namespace simulation
 {
@@ -40,7 +40,7 @@ TrafficMix parseDefinition(ElementReader reader)
         ElementReader entry(reader.context, node);
         TrafficKind kind{entry.notNegative("weight"), {}};
         kind.object.source = reader.context.line(node);
-        kind.object.object = usualVehicle(entry.text("category"));
+        kind.object.object = defaultVehicle(entry.text("category"));
         mix.kinds.push_back(std::move(kind));
     }
     for (pugi::xml_node node :
@@ -70,7 +70,7 @@ TrafficMix parseDistribution(ElementReader reader)
             auto objects =
                 parseObjectContent(one.child("ScenarioObjectTemplate"), "template", "a usual car is taken");
             if (std::holds_alternative<Unsupported>(objects.front().object))
-                objects.front().object = usualVehicle("car");
+                objects.front().object = defaultVehicle("car");
             mix.kinds.push_back({share * weight, std::move(objects.front())}); // trailers are left out
         }
     }

@@ -9,12 +9,12 @@ namespace simulation
 namespace
 {
 
-constexpr double kUsualMassKg = 1500.0;
+constexpr double kDefaultMassKg = 1500.0;
 
 double massOf(const ScenarioObject& object)
 {
     const auto* vehicle = std::get_if<Vehicle>(&object.object);
-    return vehicle && vehicle->massKg.value_or(0.0) > 0.0 ? *vehicle->massKg : kUsualMassKg;
+    return vehicle && vehicle->massKg.value_or(0.0) > 0.0 ? *vehicle->massKg : kDefaultMassKg;
 }
 
 double decelerationOf(const ControlOverride& brake, double mostMps2, double massKg)

@@ -72,13 +72,13 @@ private:
     /// km for each.
     double costOf(int road, double metres) const
     {
-        constexpr double kUsualRoadMps = 50.0 / 3.6, kIntersectionM = 1e4;
+        constexpr double kDefaultRoadMps = 50.0 / 3.6, kIntersectionM = 1e4;
         if (_strategy == RouteStrategy::fastest)
         {
             RoadPlace place;
             place.road = road;
-            return metres * kUsualRoadMps /
-                   std::max(speedLimitAt(_roads, place).value_or(kUsualRoadMps), 0.1);
+            return metres * kDefaultRoadMps /
+                   std::max(speedLimitAt(_roads, place).value_or(kDefaultRoadMps), 0.1);
         }
         const bool isInJunction = !_network.roads[static_cast<std::size_t>(road)].junctionId.empty();
         return _strategy == RouteStrategy::leastIntersections && isInJunction ? metres + kIntersectionM

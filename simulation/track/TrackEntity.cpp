@@ -73,7 +73,7 @@ ScenarioObject entityOf(TrackKind kind, const std::string& name)
     return entity;
 }
 
-double usualSpeedMps(TrackKind kind)
+double defaultSpeedMps(TrackKind kind)
 {
     if (kind == TrackKind::aircraft) return 50.0;
     if (kind == TrackKind::helicopter) return 40.0;

@@ -13,6 +13,6 @@ namespace simulation
 ScenarioObject entityOf(TrackKind kind, const std::string& name);
 
 /// The speed at which a track without times is followed, m/s.
-double usualSpeedMps(TrackKind kind);
+double defaultSpeedMps(TrackKind kind);
 
 } // namespace simulation

@@ -159,7 +159,7 @@ void fillGaps(std::vector<Vertex>& vertices)
 
 std::optional<std::string> gapsOf(const FlightTrack& track)
 {
-    constexpr double kTimesUsual = 5.0;
+    constexpr double kTimesDefault = 5.0;
     if (!track.hasTimes || track.fixes.size() < 3) return std::nullopt;
     std::vector<double> gaps;
     for (std::size_t i = 1; i < track.fixes.size(); ++i)
@@ -167,7 +167,7 @@ std::optional<std::string> gapsOf(const FlightTrack& track)
     std::vector<double> sorted = gaps;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
-    const double longS = std::max(kLongGapS, kTimesUsual * *middle);
+    const double longS = std::max(kLongGapS, kTimesDefault * *middle);
     const auto count = std::count_if(gaps.begin(), gaps.end(), [&](double gapS) { return gapS > longS; });
     if (count == 0) return std::nullopt;
     const auto longest = std::max_element(gaps.begin(), gaps.end());

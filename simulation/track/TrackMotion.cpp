@@ -19,7 +19,7 @@ constexpr double kTrackStandingMps = 0.3;
 
 /// The speed that nine tenths of the moving fixes do not exceed; nothing where nothing moves or there are no
 /// times.
-std::optional<double> usualSpeed(const FlightTrack& track)
+std::optional<double> defaultSpeed(const FlightTrack& track)
 {
     std::vector<double> speeds;
     if (!track.hasTimes) return std::nullopt;
@@ -66,7 +66,7 @@ TrackKind kindByMotion(const FlightTrack& track, const foundation::HeightOnEarth
     }
     if (10 * flying >= track.fixes.size() || (!isMadeGround && 2 * lifted > track.fixes.size()))
         return TrackKind::aircraft;
-    const auto speed = usualSpeed(track);
+    const auto speed = defaultSpeed(track);
     return speed && *speed < kWalkingMps ? TrackKind::person : TrackKind::vehicle;
 }
 

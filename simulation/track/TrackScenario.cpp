@@ -142,7 +142,7 @@ private:
 
     void addUntimed(const FlightTrack& track, FollowTrajectoryAction follow)
     {
-        const double speed = usualSpeedMps(track.kind);
+        const double speed = defaultSpeedMps(track.kind);
         _made.durationS = std::max(_made.durationS, lengthOf(track) / speed);
         char text[100];
         std::snprintf(text, sizeof text, ": has no times; it is followed at %.1f m/s", speed);

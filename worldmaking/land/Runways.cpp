@@ -19,7 +19,7 @@ namespace
 using foundation::Error;
 
 constexpr double kMetresPerFoot = 0.3048;
-constexpr double kUsualWidthM = 23.0;
+constexpr double kDefaultWidthM = 23.0;
 
 std::string surfaceOf(const std::string& text)
 {
@@ -57,7 +57,7 @@ foundation::Result<RunwayTable> readRunways(const std::filesystem::path& file)
                       {number("he_longitude_deg"), number("he_latitude_deg")},
                       kMetresPerFoot * number("width_ft"),
                       surfaceOf(text("surface"))};
-        if (!(runway.widthM >= 3.0 && runway.widthM <= 200.0)) runway.widthM = kUsualWidthM;
+        if (!(runway.widthM >= 3.0 && runway.widthM <= 200.0)) runway.widthM = kDefaultWidthM;
         const bool hasEnds = !text("le_latitude_deg").empty() && !text("he_latitude_deg").empty() &&
                              std::abs(runway.from.y) < 90.0 && std::abs(runway.to.y) < 90.0 &&
                              runway.from != runway.to;

@@ -17,8 +17,8 @@ namespace worldmaking
 namespace roadsearch
 {
 
-constexpr double kUsualGrade = 0.045; ///< doubles the cost of a metre
-constexpr double kUsedShare = 0.3;    ///< of the cost where a road is there
+constexpr double kDefaultGrade = 0.045; ///< doubles the cost of a metre
+constexpr double kUsedShare = 0.3;      ///< of the cost where a road is there
 constexpr std::array<std::array<int, 2>, 16> kSteps{{{1, 0},
                                                      {0, 1},
                                                      {-1, 0},
@@ -166,7 +166,7 @@ RoadSearch::RoadSearch(const GroundGrid& ground, double cellM, const Toll& toll)
                 const double lengthM = cellM * std::hypot(dx, dy);
                 const double grade = std::abs(heights[to] - heights[from]) / lengthM;
                 if (grade > kSteepest) continue;
-                const double share = grade / kUsualGrade;
+                const double share = grade / kDefaultGrade;
                 ends.emplace_back(from, to);
                 edges.push_back(
                     {static_cast<float>(lengthM),

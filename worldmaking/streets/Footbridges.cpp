@@ -38,9 +38,9 @@ constexpr std::size_t kMostFootNotes = 10;
 
 double footWidthOf(const Tags& tags)
 {
-    const double usualM = isClosedStreet(tags) ? 4.0 : valueOf(tags, "highway") == "track" ? 3.0 : 2.5;
+    const double defaultM = isClosedStreet(tags) ? 4.0 : valueOf(tags, "highway") == "track" ? 3.0 : 2.5;
     const auto widthM = foundation::metresOfTag(valueOf(tags, "width"));
-    return widthM && *widthM >= 0.8 && *widthM <= 15.0 ? *widthM : usualM;
+    return widthM && *widthM >= 0.8 && *widthM <= 15.0 ? *widthM : defaultM;
 }
 
 /// A line of paths in the plan.

@@ -70,7 +70,7 @@ constexpr std::array kCountries = std::to_array<CountryLimits>({
     {"uz", 100, 100, 100, 70},
     {"za", 100, 120, 120, 60},
 });
-constexpr CountryLimits kUsual{"", 90, 100, 120};
+constexpr CountryLimits kDefault{"", 90, 100, 120};
 
 std::string lowerOf(std::string_view text)
 {
@@ -110,7 +110,7 @@ std::optional<double> speedOfWord(const std::string& word)
     if (code == "sign" || code == "zone") return foundation::kmhOfTag(zone);
     const auto found = std::find_if(kCountries.begin(), kCountries.end(),
                                     [&](const CountryLimits& limits) { return limits.code == code; });
-    return limitOf(found == kCountries.end() ? kUsual : *found, zone);
+    return limitOf(found == kCountries.end() ? kDefault : *found, zone);
 }
 
 } // namespace

@@ -107,12 +107,12 @@ std::optional<double> speedOf(const Tags& tags, std::initializer_list<std::strin
     return std::nullopt;
 }
 
-void setSpeeds(const Tags& tags, double usualKmh, StreetTraits& traits)
+void setSpeeds(const Tags& tags, double defaultKmh, StreetTraits& traits)
 {
     const auto ahead = speedOf(tags, {"maxspeed:forward"}), back = speedOf(tags, {"maxspeed:backward"});
     const auto all = speedOf(tags, {"maxspeed", "maxspeed:type", "source:maxspeed", "zone:maxspeed"});
-    const double forward = ahead.value_or(all.value_or(usualKmh)),
-                 backward = back.value_or(all.value_or(usualKmh));
+    const double forward = ahead.value_or(all.value_or(defaultKmh)),
+                 backward = back.value_or(all.value_or(defaultKmh));
     const bool hasForward = traits.forwardLanes + traits.sharedLanes > 0,
                hasBackward = traits.backwardLanes + traits.sharedLanes > 0;
     traits.speedKmh = std::max(hasForward ? forward : 0.0, hasBackward ? backward : 0.0);

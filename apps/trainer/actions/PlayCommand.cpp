@@ -61,7 +61,7 @@ ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
                                                           std::to_string(request.frames.heightPx)
                                                     : request.frames.viewFile.filename().string()},
         {"Error target", std::to_string(request.terrain.errorTolerancePx) + " px anywhere in the picture"},
-        {"Triangle ceiling", std::to_string(request.terrain.maxTriangles.value_or(kUsualMaxTriangles))}};
+        {"Triangle ceiling", std::to_string(request.terrain.maxTriangles.value_or(kDefaultMaxTriangles))}};
     content.contactSheet = request.output.contactSheet;
     content.video = request.output.video;
     return content;

@@ -79,7 +79,7 @@ foundation::Result<SceneTour> layRoadDrive(const SceneTerrain& scene, const simu
     const osgRoads::core::RoadNetwork& network = scene.roads->network();
     const osgRoads::core::LaneRoute route =
         osgRoads::core::chooseDrive(network, osgRoads::core::LaneGraph(network),
-                                    durationS * scenery::usualSpeedMps(network) + kSpareWayM);
+                                    durationS * scenery::defaultSpeedMps(network) + kSpareWayM);
     if (route.legs.empty())
         return foundation::Error{file, "no lane for cars", "give --eye pilot to fly over it"};
     std::vector<simulation::WayPoint> way;

@@ -40,8 +40,8 @@ inline void growHeapInHugePages()
     mallopt(M_MMAP_MAX, 0); // the block lies in the heap, and its addresses stay there
     void* volatile block = std::malloc(static_cast<std::size_t>(std::min(memory / 4, kMostBytes)));
     std::free(block);
-    constexpr int kUsualMappings = 65536;
-    mallopt(M_MMAP_MAX, kUsualMappings);
+    constexpr int kDefaultMappings = 65536;
+    mallopt(M_MMAP_MAX, kDefaultMappings);
     mallopt(M_MMAP_THRESHOLD, kLargeBytes);
     if (end() > first) (void)madvise(reinterpret_cast<void*>(first), end() - first, MADV_HUGEPAGE); // a wish
 #endif

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "scenery/models/entities/DefaultSize.h"
 #include "scenery/models/entities/EntityGenerators.h"
-#include "scenery/models/entities/UsualSize.h"
 
 namespace scenery::models
 {

@@ -109,8 +109,8 @@ struct EntityModel
     }
 };
 
-/// Generates the model of an entity. Pure. Precondition: isPlausible() of UsualSize.h. Axles that are missing
-/// are added, and wheels that are too large for the body are made smaller. Cost: 1 to 20 ms.
+/// Generates the model of an entity. Pure. Precondition: isPlausible() of DefaultSize.h. Axles that are
+/// missing are added, and wheels that are too large for the body are made smaller. Cost: 1 to 20 ms.
 EntityModel makeEntityModel(EntityShape shape);
 
 } // namespace scenery::models

@@ -42,8 +42,8 @@ double headHeightOf(const RoadModel& model)
 {
     if (const auto lenses = lensesOf(model).size(); lenses > 0)
         return kLensStepM * static_cast<double>(lenses);
-    const double usualM = model.kind == RoadModelKind::sign ? orElse(model.widthM, 0.6) : 0.6;
-    return orElse(model.heightM, usualM);
+    const double defaultM = model.kind == RoadModelKind::sign ? orElse(model.widthM, 0.6) : 0.6;
+    return orElse(model.heightM, defaultM);
 }
 
 /// The lines of a board.

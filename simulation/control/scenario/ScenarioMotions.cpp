@@ -34,7 +34,7 @@ struct VehicleWish
     double turbulenceMps = 0.0; ///< deviation above 600 m
 };
 
-std::filesystem::path usualFileOf(const ScenarioObject& object)
+std::filesystem::path defaultFileOf(const ScenarioObject& object)
 {
     if (object.isAirborne()) return foundation::dataFile("aircraft/c172p.xml");
     const auto* const vehicle = std::get_if<Vehicle>(&object.object);
@@ -48,7 +48,7 @@ VehicleWish vehicleWish(ControllerProperties& properties, const ScenarioObject& 
 {
     constexpr double kMostSeed = 4294967295.0;
     VehicleWish wish;
-    wish.file = properties.file("vehicle", usualFileOf(object));
+    wish.file = properties.file("vehicle", defaultFileOf(object));
     wish.seed = static_cast<std::uint64_t>(properties.number("seed", 0.0, 0.0, kMostSeed));
     wish.turbulenceMps = properties.number("turbulence", 0.0, 0.0, 20.0);
     return wish;

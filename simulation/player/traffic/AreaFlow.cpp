@@ -80,7 +80,7 @@ private:
                 _nextS = scene.timeS() + kAreaPauseS;
                 return;
             }
-            scene.appear(vehicle, site->place, usualSpeed(scene, vehicle, site->place));
+            scene.appear(vehicle, site->place, defaultSpeed(scene, vehicle, site->place));
         }
     }
 

@@ -36,7 +36,7 @@ public:
         const LaneSite* const site = pickSite(scene, vehicle, sites, _draw);
         if (!site) return;
         scene.appear(vehicle, site->place,
-                     _source.speedMps.value_or(usualSpeed(scene, vehicle, site->place)));
+                     _source.speedMps.value_or(defaultSpeed(scene, vehicle, site->place)));
         _nextS = std::max(_nextS, scene.timeS() - 1.0 / _source.perSecond) + 1.0 / _source.perSecond;
     }
 

@@ -72,7 +72,7 @@ private:
             }
             scene.appear(vehicle, site->place,
                          _swarm.speed ? _draw.uniform(_swarm.speed->leastMps, _swarm.speed->mostMps)
-                                      : usualSpeed(scene, vehicle, site->place));
+                                      : defaultSpeed(scene, vehicle, site->place));
         }
     }
 

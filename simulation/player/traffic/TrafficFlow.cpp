@@ -14,7 +14,7 @@ namespace simulation
 namespace
 {
 
-constexpr double kUsualMps = 50.0 / 3.6;
+constexpr double kDefaultMps = 50.0 / 3.6;
 constexpr double kRoomM = 8.0;
 constexpr double kBesideM = 2.5;
 constexpr double kStoreysM = 4.0; ///< on another level, as on a bridge
@@ -33,9 +33,9 @@ glm::dvec3 middleOf(TrafficScene& scene, int entity)
 
 } // namespace
 
-double usualSpeed(TrafficScene& scene, int vehicle, const RoadPlace& place)
+double defaultSpeed(TrafficScene& scene, int vehicle, const RoadPlace& place)
 {
-    const double wanted = speedLimitAt(*scene.roads(), place).value_or(kUsualMps);
+    const double wanted = speedLimitAt(*scene.roads(), place).value_or(kDefaultMps);
     const double most = performanceOf(objectOf(scene, vehicle)).maxSpeedMps;
     return most > 0.0 ? std::min(wanted, most) : wanted;
 }

@@ -47,7 +47,7 @@ std::unique_ptr<TrafficFlow> makeFlow(const TrafficArea& area, const std::vector
 
 /// The speed with which a vehicle appears where the action says nothing: the limit there, else 50 km/h, never
 /// above its own greatest.
-double usualSpeed(TrafficScene& scene, int vehicle, const RoadPlace& place);
+double defaultSpeed(TrafficScene& scene, int vehicle, const RoadPlace& place);
 
 /// Whether a vehicle has room at a site: at least 8 m on its lane to every entity that is there.
 bool hasRoom(TrafficScene& scene, int vehicle, const LaneSite& site);

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "simulation/parser/RandomDraw.h"
-#include "simulation/scenario/UsualVehicle.h"
+#include "simulation/scenario/DefaultVehicle.h"
 #include "simulation/scenario/VisitActions.h"
 
 namespace simulation
@@ -45,7 +45,7 @@ const Entry* drawn(const std::vector<Entry>& entries, RandomDraw& draw)
 ScenarioObject vehicleOf(const TrafficMix& mix, RandomDraw& draw)
 {
     ScenarioObject vehicle;
-    vehicle.object = usualVehicle("car");
+    vehicle.object = defaultVehicle("car");
     if (const TrafficKind* const kind = drawn(mix.kinds, draw)) vehicle = kind->object;
     if (!vehicle.controllers.empty()) return vehicle;
     const TrafficMix::Driver* const driver = drawn(mix.drivers, draw);

@@ -243,7 +243,7 @@ void readPerformance(VehicleFileReader& reader, pugi::xml_node root, Performance
 /// Brakes that hardly slow a vehicle are a mistake of unit or digits.
 void checkBrakes(VehicleFileReader& reader, pugi::xml_node root, const RoadVehicleData& data)
 {
-    constexpr double kLeastMps2 = 1.0, kUsualMps2 = 9.0;
+    constexpr double kLeastMps2 = 1.0, kDefaultMps2 = 9.0;
     const double perMps2 = massProperties(data).massKg * data.axles[0].tyre.radiusM; // Nm
     if (data.brakes.mostNm >= kLeastMps2 * perMps2) return;
     std::ostringstream what, remedy;
@@ -251,7 +251,7 @@ void checkBrakes(VehicleFileReader& reader, pugi::xml_node root, const RoadVehic
     what << "<brakes> mostNm of " << data.brakes.mostNm << " slows the vehicle by "
          << data.brakes.mostNm / perMps2 << " m/s² at most";
     remedy << "give the torque of all wheels together, here about "
-           << std::lround(kUsualMps2 * perMps2 / 100.0) * 100 << " Nm";
+           << std::lround(kDefaultMps2 * perMps2 / 100.0) * 100 << " Nm";
     reader.fail(root.child("brakes"), what.str(), remedy.str());
 }
 

@@ -13,7 +13,7 @@
 #include "scenery/models/ModelCheck.h"
 #include "scenery/models/cockpit/InstrumentParts.h"
 #include "scenery/models/cockpit/InteriorModel.h"
-#include "scenery/models/entities/UsualSize.h"
+#include "scenery/models/entities/DefaultSize.h"
 
 namespace
 {
@@ -140,7 +140,7 @@ InteriorModel interiorOf(EntityKind kind)
 {
     EntityShape shape;
     shape.kind = kind;
-    setUsualSize(shape);
+    setDefaultSize(shape);
     return *makeInterior(shape, {1.0, 0.3, 1.5});
 }
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "scenery/models/ModelCheck.h"
+#include "scenery/models/entities/DefaultSize.h"
 #include "scenery/models/entities/Gait.h"
 #include "scenery/models/entities/LegBend.h"
-#include "scenery/models/entities/UsualSize.h"
 
 namespace models = scenery::models;
 using models::EntityKind;
@@ -23,7 +23,7 @@ EntityShape usual(EntityKind kind)
 {
     EntityShape shape;
     shape.kind = kind;
-    models::setUsualSize(shape);
+    models::setDefaultSize(shape);
     return shape;
 }
 

@@ -183,7 +183,7 @@ std::string marking(const std::string& attributes, const std::string& corners = 
     return "<marking color=\"yellow\" width=\"0.2\" " + attributes + ">" + corners + "</marking>";
 }
 
-TEST(RoadDecals, MarkingsTakeThePlaceOfTheUsualLinesOfASpace)
+TEST(RoadDecals, MarkingsTakeThePlaceOfTheDefaultLinesOfASpace)
 {
     const auto decals = roadDecals(straightWith(
         space("<markings>" +

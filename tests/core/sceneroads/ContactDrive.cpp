@@ -201,7 +201,7 @@ simulation::Scenario driveOver(const RoadScene& scene, double durationS)
 {
     const auto& network = scene.roads->network();
     const auto route = osgRoads::core::chooseDrive(network, osgRoads::core::LaneGraph(network),
-                                                   durationS * scenery::usualSpeedMps(network));
+                                                   durationS * scenery::defaultSpeedMps(network));
     std::vector<simulation::WayPoint> way;
     for (const scenery::LanePathPoint& point : scenery::lanePath(*scene.roads, route))
         way.push_back({point.place, point.limitMps});

@@ -49,7 +49,7 @@ TEST(LanePath, IsTheMiddleOfTheLaneOnTheSurfaceInTheDirectionOfTravel)
         EXPECT_LT(glm::distance(path[i].place, glm::dvec3(x, 2.0, 0.1 * x)), 1e-5);
         EXPECT_DOUBLE_EQ(path[i].limitMps, x >= 100.0 ? 20.0 : 13.9);
     }
-    EXPECT_DOUBLE_EQ(scenery::usualSpeedMps(roads.network()), 13.9);
+    EXPECT_DOUBLE_EQ(scenery::defaultSpeedMps(roads.network()), 13.9);
 }
 
 TEST(LanePath, GoesOverToTheNextLaneWithoutAJump)

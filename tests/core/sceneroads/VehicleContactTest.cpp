@@ -14,8 +14,8 @@
 #include "ContactDrive.h"
 #include "DriverSupport.h"
 #include "RealData.h"
+#include "scenery/models/entities/DefaultSize.h"
 #include "scenery/models/entities/EntityModel.h"
-#include "scenery/models/entities/UsualSize.h"
 #include "scenery/roads/LanePath.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/flight/Autopilot.h"
@@ -34,7 +34,7 @@ models::EntityModel drawnCar(const simulation::RoadVehicleData& data)
 {
     models::EntityShape shape;
     shape.kind = models::EntityKind::car;
-    models::setUsualSize(shape);
+    models::setDefaultSize(shape);
     shape.axles.clear();
     for (const auto& axle : data.axles)
         shape.axles.push_back({axle.xM, axle.trackM, axle.tyre.radiusM, shape.axles.empty()});
@@ -254,7 +254,7 @@ TEST(VehicleContact, GearOfALandingTouchesWhatIsDrawnInEveryFrame)
     const RoadScene scene = sceneWithStrip();
     models::EntityShape shape;
     shape.kind = models::EntityKind::lightAircraft;
-    models::setUsualSize(shape);
+    models::setDefaultSize(shape);
     const models::EntityModel model = models::makeEntityModel(shape);
     const ContactRequest kept{}, hovering{.raisedM = 0.02};
     DrawnWatcher behind(scene, kept), raised(scene, hovering);

@@ -20,7 +20,7 @@ TEST(EnvironmentClock, BeginsByDayAtEveryLongitude)
         << "within 15 degrees of Greenwich it is 10:00 UTC";
 }
 
-TEST(EnvironmentClock, TheScenarioGoesBeforeTheWorldAndTheWorldBeforeTheUsual)
+TEST(EnvironmentClock, TheScenarioGoesBeforeTheWorldAndTheWorldBeforeTheDefault)
 {
     const WorldAir world{SunDirection{180.0, -20.0}, 5000.0};
     EnvironmentClock clock(Geodetic{46.0, 8.0, 0.0}, world);

@@ -139,7 +139,7 @@ TEST(NothingThere, AGeoPositionIsWhereTheRoadsSay)
 }
 
 /// Traffic has usual cars where the catalogue of its vehicles is not there.
-TEST(NothingThere, TrafficOfNoCatalogueIsUsualCars)
+TEST(NothingThere, TrafficOfNoCatalogueIsDefaultCars)
 {
     ScenarioText text;
     text.catalogs = "<RoadNetwork><LogicFile filepath=\"a.xodr\"/></RoadNetwork>"; // the first one counts

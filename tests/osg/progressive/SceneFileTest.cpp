@@ -19,7 +19,7 @@ namespace
 
 using namespace osgPMObjects;
 
-core::SelectionSettings unusualSettings()
+core::SelectionSettings settingsNotDefault()
 {
     core::SelectionSettings settings;
     settings.method = core::SelectionMethod::overlappingRanges;
@@ -77,7 +77,7 @@ osg::ref_ptr<osg::Group> scene()
                                         second = new ProgressiveNode(shape);
     first->setName("the first");
     ProgressiveNodeSettings settings;
-    settings.selection = unusualSettings();
+    settings.selection = settingsNotDefault();
     settings.switching = {.method = core::SwitchMethod::geomorph, .durationS = 0.7F};
     settings.priority = {2.5, true};
     settings.number = 17;
@@ -124,7 +124,7 @@ TEST_P(SceneFile, GivesBackNodesAsTheyWere)
     ProgressiveNode* const node = nodeOf(*root, 0);
     ASSERT_TRUE(node);
     EXPECT_EQ(node->getName(), "the first");
-    expectEqual(node->selection(), unusualSettings());
+    expectEqual(node->selection(), settingsNotDefault());
     EXPECT_EQ(node->switching().method, core::SwitchMethod::geomorph);
     EXPECT_EQ(node->switching().durationS, 0.7F);
     EXPECT_EQ(node->settings().number, 17u);

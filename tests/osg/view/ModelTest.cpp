@@ -4,7 +4,7 @@
 #include <osg/ComputeBoundsVisitor>
 #include <osg/TriangleFunctor>
 
-#include "RenderedUsualCar.h"
+#include "RenderedDefaultCar.h"
 #include "scenery/nodes/ModelMesh.h"
 
 namespace
@@ -38,18 +38,18 @@ double volumeOf(const scenery::ModelMesh& mesh)
 
 TEST(EntityNode, HasTheSizeOfItsShapeAndStandsOnTheGround)
 {
-    const UsualCar car;
+    const DefaultCar car;
     const osg::BoundingBox box = boundsOf(car.node());
     EXPECT_NEAR(box.zMin(), 0.0, 0.03);
-    EXPECT_NEAR(box.zMax(), UsualCar::shape().heightM, 0.03);
+    EXPECT_NEAR(box.zMax(), DefaultCar::shape().heightM, 0.03);
     // The contact shadow's rim reaches half a metre beyond.
-    EXPECT_NEAR(box.xMax(), UsualCar::shape().frontXM(), 0.65);
-    EXPECT_NEAR(box.xMin(), UsualCar::shape().backXM(), 0.65);
+    EXPECT_NEAR(box.xMax(), DefaultCar::shape().frontXM(), 0.65);
+    EXPECT_NEAR(box.xMin(), DefaultCar::shape().backXM(), 0.65);
 }
 
 TEST(EntityNode, MovesWithItsStateAndItsWheelsTravel)
 {
-    UsualCar car;
+    DefaultCar car;
     simulation::EntityState state;
     state.position = {1000.0, 2000.0, 300.0};
     car.setState(state);
@@ -59,11 +59,11 @@ TEST(EntityNode, MovesWithItsStateAndItsWheelsTravel)
     EXPECT_NEAR(boundsOf(car.node()).zMin(), 299.9, 0.03);
 }
 
-TEST(EntityLamps, UsualOnesFollowBrakingReversingAndDusk)
+TEST(EntityLamps, DefaultOnesFollowBrakingReversingAndDusk)
 {
     using Kind = scenery::models::EntityLamp::Kind;
     const auto isLit = [](const simulation::EntityState& state, bool isDark, Kind kind)
-    { return scenery::usualLamps(state, isDark)[static_cast<std::size_t>(kind)]; };
+    { return scenery::defaultLamps(state, isDark)[static_cast<std::size_t>(kind)]; };
     simulation::EntityState state;
     state.headingDeg = 90.0;
     state.speedMps = 10.0;
@@ -84,7 +84,7 @@ TEST(EntityLamps, OfAnAircraftAreOnAsItsPartsSayAndStrobesFlash)
     simulation::EntityState state;
     state.aircraft.emplace().hasNavigationLights = true;
     const auto isLit = [&](Kind kind, double timeS)
-    { return scenery::usualLamps(state, true, timeS)[static_cast<std::size_t>(kind)]; };
+    { return scenery::defaultLamps(state, true, timeS)[static_cast<std::size_t>(kind)]; };
     EXPECT_TRUE(isLit(Kind::navigationRed, 0.0) && isLit(Kind::navigationGreen, 0.0) &&
                 isLit(Kind::navigationWhite, 0.0));
     EXPECT_FALSE(isLit(Kind::strobe, 0.05) || isLit(Kind::landing, 0.0) || isLit(Kind::beacon, 0.5));
@@ -103,10 +103,10 @@ TEST(EntityLamps, OfAnAircraftAreOnAsItsPartsSayAndStrobesFlash)
 TEST(EntityNode, EqualShapesShareTheirMeshes)
 {
     scenery::EntityShapes shapes;
-    EXPECT_EQ(shapes.of(UsualCar::shape()), shapes.of(UsualCar::shape()));
-    scenery::models::EntityShape other = UsualCar::shape();
+    EXPECT_EQ(shapes.of(DefaultCar::shape()), shapes.of(DefaultCar::shape()));
+    scenery::models::EntityShape other = DefaultCar::shape();
     other.blue = 0.5F;
-    EXPECT_NE(shapes.of(other), shapes.of(UsualCar::shape()));
+    EXPECT_NE(shapes.of(other), shapes.of(DefaultCar::shape()));
 }
 
 TEST(ModelMesh, FacesLookOutwardsAndMirroringKeepsThemSo)

@@ -6,7 +6,7 @@
 
 #include <osg/NodeVisitor>
 
-#include "RenderedUsualCar.h"
+#include "RenderedDefaultCar.h"
 
 namespace
 {
@@ -34,18 +34,18 @@ private:
     std::string _name;
 };
 
-scenery::models::EntityShape usualShape(EntityKind kind)
+scenery::models::EntityShape defaultShape(EntityKind kind)
 {
     scenery::models::EntityShape shape;
     shape.kind = kind;
-    scenery::models::setUsualSize(shape);
+    scenery::models::setDefaultSize(shape);
     return shape;
 }
 
 /// An entity of usual size.
 struct Shown
 {
-    explicit Shown(EntityKind kind) : entity(usualShape(kind), shapes) {}
+    explicit Shown(EntityKind kind) : entity(defaultShape(kind), shapes) {}
 
     osg::MatrixTransform& part(const std::string& name, std::size_t index = 0)
     {
@@ -188,9 +188,9 @@ TEST(MovingParts, APropellerStandsTurnsAndBecomesADisc)
 
 TEST(MovingParts, WheelsOfACarTurnByTheirOwnPhysicsWhereItSays)
 {
-    UsualCar car;
+    DefaultCar car;
     simulation::EntityState state;
-    state.odometerM = 0.25 * 2.0 * osg::PI * UsualCar::shape().axles[0].wheelRadiusM; // a quarter of a turn
+    state.odometerM = 0.25 * 2.0 * osg::PI * DefaultCar::shape().axles[0].wheelRadiusM; // a quarter of a turn
     state.steeringDeg = 20.0;
     const auto part = [&](const char* name) -> osg::MatrixTransform&
     {

@@ -5,7 +5,7 @@
 
 #include <osg/ComputeBoundsVisitor>
 
-#include "scenery/models/entities/UsualSize.h"
+#include "scenery/models/entities/DefaultSize.h"
 
 namespace
 {
@@ -16,7 +16,7 @@ models::EntityModel modelOf(models::EntityKind kind)
 {
     models::EntityShape shape;
     shape.kind = kind;
-    models::setUsualSize(shape);
+    models::setDefaultSize(shape);
     return models::makeEntityModel(shape);
 }
 

@@ -7,7 +7,7 @@
 #include <osgOffscreen/OffscreenViewer>
 
 #include "RenderedView.h"
-#include "scenery/models/entities/UsualSize.h"
+#include "scenery/models/entities/DefaultSize.h"
 #include "scenery/nodes/InteriorNode.h"
 
 /// What the tests of interiors share.
@@ -20,7 +20,7 @@ inline scenery::models::InteriorModel interiorOf(scenery::models::EntityKind kin
 {
     scenery::models::EntityShape shape;
     shape.kind = kind;
-    scenery::models::setUsualSize(shape);
+    scenery::models::setDefaultSize(shape);
     return *scenery::models::makeInterior(shape, eye);
 }
 

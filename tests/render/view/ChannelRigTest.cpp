@@ -8,7 +8,7 @@
 #include <osgOffscreen/FrameGrabber>
 #include <osgOffscreen/ImageComparison>
 
-#include "RenderedUsualCar.h"
+#include "RenderedDefaultCar.h"
 #include "RenderedView.h"
 
 using osgOffscreen::compareImages;
@@ -90,7 +90,7 @@ osg::ref_ptr<osg::Image> cut(const osg::Image& picture, unsigned leftPx, unsigne
 struct CarOnGround : rendered::ViewScene
 {
     CarOnGround() { root->addChild(car.node()); }
-    UsualCar car;
+    DefaultCar car;
     const scenery::Pose eye = scenery::poseLookingAt({-6.0, -5.0, 2.5}, {1.3, 0.4, 0.8});
 };
 

@@ -2,7 +2,7 @@
 // The shadow of a car in pictures: it darkens the ground, and does not fight with it for depth.
 #include <gtest/gtest.h>
 
-#include "RenderedUsualCar.h"
+#include "RenderedDefaultCar.h"
 #include "RenderedView.h"
 
 namespace
@@ -29,7 +29,7 @@ Darkened darkenedFrom(const glm::dvec3& eye, double groundM)
         osgTerrainROAM::AtmosphereSettings air;
         air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(90.0, kSunDeg);
         const rendered::ViewScene scene(air);
-        UsualCar car;
+        DefaultCar car;
         const double radians = glm::radians(kSunDeg);
         car.car.castShadow({std::cos(radians), 0.0, std::sin(radians)},
                            [&](double, double) { return simulation::GroundSample{groundM}; });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "RenderedDefaultCar.h"
 #include "RenderedGolden.h"
 #include "RenderedPicture.h"
-#include "RenderedUsualCar.h"
 #include "RenderedView.h"
 
 namespace
@@ -28,7 +28,7 @@ std::string rendererOf(osgOffscreen::Backend backend)
 osg::ref_ptr<osg::Image> carPicture(osgOffscreen::Backend backend, double steeringDeg = 12.0)
 {
     const rendered::ViewScene scene;
-    UsualCar car;
+    DefaultCar car;
     simulation::EntityState state;
     state.steeringDeg = steeringDeg;
     car.setState(state);
@@ -42,7 +42,7 @@ osg::ref_ptr<osg::Image> aircraftPicture(osgOffscreen::Backend backend, float tr
     const rendered::ViewScene scene;
     scenery::models::EntityShape shape;
     shape.kind = scenery::models::EntityKind::lightAircraft;
-    scenery::models::setUsualSize(shape);
+    scenery::models::setDefaultSize(shape);
     shape.red = trimRed;
     shape.green = 0.22F;
     shape.blue = 0.50F;
@@ -73,7 +73,7 @@ TEST(EntityLamps, ShineOnlyWhileTheyAreLit)
     const auto redOf = [](bool brakes)
     {
         const rendered::ViewScene scene;
-        UsualCar car;
+        DefaultCar car;
         scenery::models::LitLamps lit{};
         lit[static_cast<std::size_t>(Lamp::brake)] = brakes;
         car.setState({}, lit);
@@ -109,13 +109,13 @@ glm::dvec3 glowSeen(const glm::dvec3& eye, double sunElevationDeg)
         const rendered::ViewScene scene(air);
         scenery::models::EntityShape shape;
         shape.kind = scenery::models::EntityKind::lightAircraft;
-        scenery::models::setUsualSize(shape);
+        scenery::models::setDefaultSize(shape);
         scenery::EntityShapes shapes;
         scenery::EntityNode aircraft(shape, shapes);
         simulation::EntityState state;
         state.position.z = 50.0;
         state.aircraft.emplace().hasNavigationLights = isLit;
-        aircraft.setState(state, scenery::usualLamps(state, true));
+        aircraft.setState(state, scenery::defaultLamps(state, true));
         scene.root->addChild(aircraft.node());
         osgOffscreen::OffscreenSettings settings = settingsOf(osgOffscreen::defaultBackend());
         settings.widthPx = 480;

@@ -14,7 +14,7 @@ namespace
 using foundation::Error;
 using foundation::Result;
 
-constexpr double kUsualCellM = 64.0;
+constexpr double kDefaultCellM = 64.0;
 constexpr double kSmallestCellM = 32.0;
 constexpr double kLargestCellM = 256.0;
 constexpr double kCrowd = 24.0; ///< mean texels a cell above which smaller cells are faster
@@ -71,13 +71,13 @@ Result<FeatureCells> FeatureCells::build(const std::vector<GroundFeature>& featu
     const FeatureShapes shapes(features);
     if (shapes.areas.empty() && shapes.segments.empty() && shapes.strokes.empty()) return cells;
     CellBuilder builder(cells, shapes);
-    double cellM = kUsualCellM;
+    double cellM = kDefaultCellM;
     while (!builder.layGrid(cellM))
         if ((cellM *= 2.0) > kLargestCellM)
             return Error{"features", "reach over more than 4 million cells of 256 m",
                          "cut them to the terrain's extent with ogr2ogr -clipsrc"};
     builder.fill();
-    if (cellM == kUsualCellM && builder.crowd() > kCrowd && builder.layGrid(kSmallestCellM)) builder.fill();
+    if (cellM == kDefaultCellM && builder.crowd() > kCrowd && builder.layGrid(kSmallestCellM)) builder.fill();
     if (builder.records() > CellBuilder::kMostRecords)
         return Error{"features", "have more than 16 million edges in their cells",
                      "simplify them with ogr2ogr -simplify"};

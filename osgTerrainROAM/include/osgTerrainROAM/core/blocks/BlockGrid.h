@@ -30,9 +30,9 @@ class BlockGrid
 {
 public:
     /// 32 × 32 cells of the raster, or the whole tile where that is smaller.
-    static constexpr int kUsualExponent = 5;
+    static constexpr int kDefaultExponent = 5;
 
-    explicit BlockGrid(const TileGrid& grid, int cellExponent = kUsualExponent)
+    explicit BlockGrid(const TileGrid& grid, int cellExponent = kDefaultExponent)
         : _exponent(std::min(cellExponent + grid.exponent(), grid.levels() / 2)),
           _columns((grid.dataColumns() - 2) / side() + 1),
           _rows((grid.dataRows() - 2) / side() + 1)

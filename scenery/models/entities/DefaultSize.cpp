@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenery/models/entities/UsualSize.h"
+#include "scenery/models/entities/DefaultSize.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ struct KindSize
 {
     EntityKind kind;
     Range length, width, height;
-    double usualLength, usualWidth, usualHeight;
+    double defaultLength, defaultWidth, defaultHeight;
     double rearOverhang, wheelbase; ///< 0 wheelbase: one axle or none
     double wheelRadius;             ///< 0: no wheels that are drawn by axles
     double mostRadiusShare;         ///< of the height
@@ -68,12 +68,12 @@ const KindSize& sizeOf(EntityKind kind)
                          [&](const KindSize& size) { return size.kind == kind; });
 }
 
-std::vector<AxleShape> usualAxles(const EntityShape& shape)
+std::vector<AxleShape> defaultAxles(const EntityShape& shape)
 {
     const KindSize& size = sizeOf(shape.kind);
     if (size.wheelRadius <= 0.0) return {};
     const double track = 0.86 * shape.widthM;
-    const double rear = shape.backXM() + size.rearOverhang * shape.lengthM / size.usualLength;
+    const double rear = shape.backXM() + size.rearOverhang * shape.lengthM / size.defaultLength;
     const AxleShape axle{rear, track, size.wheelRadius, false};
     constexpr double kBetweenM = 1.31; // of a semitrailer's three axles
     if (shape.kind == EntityKind::semitrailer)
@@ -81,7 +81,8 @@ std::vector<AxleShape> usualAxles(const EntityShape& shape)
                 axle,
                 {rear - kBetweenM, track, size.wheelRadius, false}};
     if (size.wheelbase <= 0.0) return {axle};
-    return {{rear + size.wheelbase * shape.lengthM / size.usualLength, track, size.wheelRadius, true}, axle};
+    return {{rear + size.wheelbase * shape.lengthM / size.defaultLength, track, size.wheelRadius, true},
+            axle};
 }
 
 } // namespace
@@ -93,14 +94,14 @@ bool isPlausible(const EntityShape& shape)
            size.height.contains(shape.heightM);
 }
 
-void setUsualSize(EntityShape& shape)
+void setDefaultSize(EntityShape& shape)
 {
     const KindSize& size = sizeOf(shape.kind);
-    shape.lengthM = size.usualLength;
-    shape.widthM = size.usualWidth;
-    shape.heightM = size.usualHeight;
+    shape.lengthM = size.defaultLength;
+    shape.widthM = size.defaultWidth;
+    shape.heightM = size.defaultHeight;
     shape.middleXM = 0.5 * shape.lengthM - size.rearOverhang;
-    shape.axles = usualAxles(shape);
+    shape.axles = defaultAxles(shape);
 }
 
 void keepWheelsInside(EntityShape& shape)
@@ -110,7 +111,7 @@ void keepWheelsInside(EntityShape& shape)
         shape.axles, [&](const AxleShape& axle)
         { return axle.xM > shape.frontXM() || axle.xM < shape.backXM() || axle.wheelRadiusM < 0.05; });
     const bool lacksAxle = shape.axles.size() < (size.wheelbase > 0.0 ? 2U : 1U);
-    if (lacksAxle) shape.axles = usualAxles(shape);
+    if (lacksAxle) shape.axles = defaultAxles(shape);
     if (size.wheelRadius <= 0.0) return;
     for (AxleShape& axle : shape.axles)
     {

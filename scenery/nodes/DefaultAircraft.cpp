@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenery/nodes/UsualAircraft.h"
+#include "scenery/nodes/DefaultAircraft.h"
 
 #include <cmath>
 
 namespace scenery
 {
 
-simulation::AircraftParts usualAircraftParts(const simulation::EntityState& state, bool isDark)
+simulation::AircraftParts defaultAircraftParts(const simulation::EntityState& state, bool isDark)
 {
     constexpr double kStandingMps = 0.3, kCruiseRadps = 250.0;
     simulation::AircraftParts parts;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "scenery/models/entities/UsualSize.h"
+#include "scenery/models/entities/DefaultSize.h"
 #include "scenery/nodes/EntityNode.h"
 
 /// A red car of usual size as a node. Frame: the car's until setState().
-struct UsualCar
+struct DefaultCar
 {
     static scenery::models::EntityShape shape()
     {
@@ -14,7 +14,7 @@ struct UsualCar
         car.red = 0.72F;
         car.green = 0.10F;
         car.blue = 0.09F;
-        scenery::models::setUsualSize(car);
+        scenery::models::setDefaultSize(car);
         return car;
     }
 

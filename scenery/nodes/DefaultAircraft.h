@@ -9,6 +9,6 @@ namespace scenery
 /// Returns what an aircraft shows that does not tell of its parts, one that follows a trajectory: its
 /// propeller turns while it moves, surfaces and wheels stand as they are built, the lights are on that the
 /// rules ask for.
-simulation::AircraftParts usualAircraftParts(const simulation::EntityState& state, bool isDark);
+simulation::AircraftParts defaultAircraftParts(const simulation::EntityState& state, bool isDark);
 
 } // namespace scenery
