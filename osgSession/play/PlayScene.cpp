@@ -159,7 +159,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
     play.cover = makeCover(play.terrain);
     if (play.cover) play.scene->sunlit().addChild(play.cover->node());
-    play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->hiders : nullptr);
+    play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->occluders : nullptr);
     if (play.skyShade) play.scene->sunlit().addChild(play.skyShade->node());
     trainer::setQuality(play, request.frames.quality);
     request.terrain.opening->end("cover");

@@ -24,15 +24,15 @@ std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain)
 }
 
 std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(const SceneTerrain& terrain,
-                                                    const scenery::SkyHiders* more)
+                                                    const scenery::SkyOccluders* more)
 {
     if (!terrain.terrain || terrain.cornerM != glm::dvec2(0.0)) return nullptr;
-    scenery::SkyHiders hiders;
+    scenery::SkyOccluders occluders;
     for (const StandingPart& part : terrain.standing)
-        hiders.add(part.hiders);
-    if (more) hiders.add(*more);
-    if (hiders.bodies.empty() && hiders.walls.empty()) return nullptr;
-    return std::make_unique<scenery::SkyShadeNode>(std::move(hiders), terrain.ground().heights());
+        occluders.add(part.occluders);
+    if (more) occluders.add(*more);
+    if (occluders.bodies.empty() && occluders.walls.empty()) return nullptr;
+    return std::make_unique<scenery::SkyShadeNode>(std::move(occluders), terrain.ground().heights());
 }
 
 } // namespace trainer

@@ -17,6 +17,6 @@ std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain)
 /// Makes what darkens the ground where things that stand hide the sky: those of the terrain's maps, and
 /// `more` (null: none). Null: nothing does, or the scene has no terrain.
 std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(const SceneTerrain& terrain,
-                                                    const scenery::SkyHiders* more);
+                                                    const scenery::SkyOccluders* more);
 
 } // namespace trainer

@@ -116,7 +116,7 @@ public:
         const auto node = scenery::makeSceneryNode(_description, _placed, *shapes, place);
         if (!node) return node.error();
         standing.push_back({"trees and vehicles", node->root, node->field, node->field->budget(),
-                            scenery::hidersOf(_description, _placed, shapes->measures)});
+                            scenery::occludersOf(_description, _placed, shapes->measures)});
         return foundation::success();
     }
 
@@ -159,19 +159,19 @@ foundation::Error nothingIn(const std::filesystem::path& source, const char* rem
     return {source.string(), "has nothing that can stand here", remedy};
 }
 
-scenery::SkyHiders wallsOf(const std::vector<scenery::StandingBuilding>& buildings)
+scenery::SkyOccluders wallsOf(const std::vector<scenery::StandingBuilding>& buildings)
 {
-    scenery::SkyHiders hiders;
+    scenery::SkyOccluders occluders;
     for (const scenery::StandingBuilding& standing : buildings)
         for (std::size_t r = 0; r < standing.building.rings.size(); ++r)
         {
             const auto& ring = standing.building.rings[r];
             for (std::size_t i = 0; i < ring.size(); ++i)
-                hiders.walls.push_back(
+                occluders.walls.push_back(
                     {ring[i], ring[(i + 1) % ring.size()],
                      standing.floorM + standing.building.eavesM - standing.groundAt(r, i, 0.5)});
         }
-    return hiders;
+    return occluders;
 }
 
 foundation::Outcome addBuildings(const std::filesystem::path& source,

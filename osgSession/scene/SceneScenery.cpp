@@ -154,7 +154,7 @@ foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest
     std::optional<SceneScenery> made(std::in_place);
     made->node = *std::move(node);
     made->fullBudget = made->node.field->budget();
-    made->hiders = scenery::hidersOf(*description, placed, shapes->measures);
+    made->occluders = scenery::occludersOf(*description, placed, shapes->measures);
     report(placed, *shapes, placingS, made->notes);
     reportUnheeded(*description, made->notes);
     return made;

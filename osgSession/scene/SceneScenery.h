@@ -19,7 +19,7 @@ struct SceneScenery
 {
     scenery::SceneryNode node;
     osgPMObjects::core::SceneBudgetSettings fullBudget; ///< of the scenery file
-    scenery::SkyHiders hiders;                          ///< what of it hides the sky from the ground
+    scenery::SkyOccluders occluders;                    ///< what of it hides the sky from the ground
     std::vector<std::string> notes;                     ///< number of objects, fields without room, time
 
     /// Returns the figures of the frame drawn last.

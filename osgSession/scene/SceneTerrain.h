@@ -22,7 +22,7 @@
 #include "play/PlayRequest.h"
 #include "scenery/nodes/AirfieldNode.h"
 #include "scenery/nodes/RoadThingsNode.h"
-#include "scenery/placement/SkyHiders.h"
+#include "scenery/placement/SkyOccluders.h"
 #include "simulation/player/EnvironmentState.h"
 #include "simulation/player/SceneFrame.h"
 
@@ -36,7 +36,7 @@ struct StandingPart
     osg::ref_ptr<osg::Node> node;
     osg::ref_ptr<osgPMObjects::ProgressiveField> field = nullptr; ///< null: it has no levels
     osgPMObjects::core::SceneBudgetSettings fullBudget{};         ///< of the field, whatever the quality
-    scenery::SkyHiders hiders{}; ///< what of it hides the sky from the ground
+    scenery::SkyOccluders occluders{}; ///< what of it hides the sky from the ground
 };
 
 /// The terrain of a scenario.

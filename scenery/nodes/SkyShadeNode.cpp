@@ -9,7 +9,7 @@
 #include <osgTerrainROAM/SunShadows>
 #include <shaders/scenery.h>
 
-#include "scenery/nodes/Darkening.h"
+#include "scenery/nodes/OcclusionProgram.h"
 
 namespace scenery
 {
@@ -28,7 +28,7 @@ std::pair<int, int> cellOf(const glm::dvec2& place)
 osg::ref_ptr<osg::StateSet> patchState()
 {
     constexpr int kBin = 8; // after the ground, before shadows of what moves
-    osg::ref_ptr<osg::StateSet> state = makeDarkeningState(makeSkyShadeProgram(), kBin);
+    osg::ref_ptr<osg::StateSet> state = makeOcclusionState(makeSkyShadeProgram(), kBin);
     state->addUniform(new osg::Uniform("skyShadeReachM", static_cast<float>(SkyShadeNode::kReachM)));
     return state;
 }
@@ -37,20 +37,20 @@ osg::ref_ptr<osg::StateSet> patchState()
 
 osg::ref_ptr<osg::Program> makeSkyShadeProgram()
 {
-    return makeDarkeningProgram("sky shade", shaders::kSkyShadeMain);
+    return makeOcclusionProgram("sky shade", shaders::kSkyShadeMain);
 }
 
-SkyShadeNode::SkyShadeNode(SkyHiders hiders, foundation::HeightInPlan ground)
-    : _hiders(std::move(hiders)),
+SkyShadeNode::SkyShadeNode(SkyOccluders occluders, foundation::HeightInPlan ground)
+    : _occluders(std::move(occluders)),
       _ground(std::move(ground)),
       _geometry(new osg::Geometry),
       _placed(new osg::MatrixTransform)
 {
-    for (std::size_t i = 0; i < _hiders.bodies.size(); ++i)
-        _inCell[cellOf(_hiders.bodies[i].place)].push_back(i);
-    for (std::size_t i = 0; i < _hiders.walls.size(); ++i)
-        _inCell[cellOf(0.5 * (_hiders.walls[i].from + _hiders.walls[i].to))].push_back(_hiders.bodies.size() +
-                                                                                       i);
+    for (std::size_t i = 0; i < _occluders.bodies.size(); ++i)
+        _inCell[cellOf(_occluders.bodies[i].place)].push_back(i);
+    for (std::size_t i = 0; i < _occluders.walls.size(); ++i)
+        _inCell[cellOf(0.5 * (_occluders.walls[i].from + _occluders.walls[i].to))].push_back(
+            _occluders.bodies.size() + i);
     _geometry->setDataVariance(osg::Object::DYNAMIC);
     _geometry->setUseDisplayList(false);
     _geometry->setUseVertexBufferObjects(true);
@@ -70,13 +70,13 @@ void SkyShadeNode::setShown(bool isShown)
     _eye.reset();
 }
 
-const SkyShadePatch& SkyShadeNode::patchOf(std::size_t hider)
+const SkyShadePatch& SkyShadeNode::patchOf(std::size_t occluder)
 {
-    const auto [found, isNew] = _patches.try_emplace(hider);
-    const std::size_t bodies = _hiders.bodies.size();
+    const auto [found, isNew] = _patches.try_emplace(occluder);
+    const std::size_t bodies = _occluders.bodies.size();
     if (isNew)
-        found->second = hider < bodies ? patchBelow(_hiders.bodies[hider], _ground)
-                                       : patchBefore(_hiders.walls[hider - bodies], _ground);
+        found->second = occluder < bodies ? patchBelow(_occluders.bodies[occluder], _ground)
+                                          : patchBefore(_occluders.walls[occluder - bodies], _ground);
     return found->second;
 }
 
@@ -100,9 +100,9 @@ void SkyShadeNode::gather(const glm::dvec3& eye)
         {
             const auto found = _inCell.find({_eye->first + x, _eye->second + y});
             if (found == _inCell.end()) continue;
-            for (const std::size_t hider : found->second)
+            for (const std::size_t occluder : found->second)
             {
-                const SkyShadePatch& patch = patchOf(hider);
+                const SkyShadePatch& patch = patchOf(occluder);
                 const auto first = static_cast<std::uint32_t>(places->size());
                 for (const SkyShadePatch::Corner& corner : patch.corners)
                 {
@@ -112,7 +112,7 @@ void SkyShadeNode::gather(const glm::dvec3& eye)
                 }
                 for (const std::uint32_t corner : patch.triangles)
                     triangles->push_back(first + corner);
-                near[hider] = patch;
+                near[occluder] = patch;
             }
         }
     _patches = std::move(near);

@@ -24,7 +24,7 @@ class SkyShadeNode
 public:
     static constexpr double kReachM = 80.0; ///< they fade out over its last two fifths
 
-    SkyShadeNode(SkyHiders hiders, foundation::HeightInPlan ground);
+    SkyShadeNode(SkyOccluders occluders, foundation::HeightInPlan ground);
 
     osg::Node* node() const { return _placed.get(); }
 
@@ -40,10 +40,10 @@ public:
 private:
     using Cell = std::pair<int, int>;
 
-    const SkyShadePatch& patchOf(std::size_t hider);
+    const SkyShadePatch& patchOf(std::size_t occluder);
     void gather(const glm::dvec3& eye);
 
-    SkyHiders _hiders;
+    SkyOccluders _occluders;
     foundation::HeightInPlan _ground;
     std::map<Cell, std::vector<std::size_t>> _inCell; ///< bodies, then walls by their middle
     std::map<std::size_t, SkyShadePatch> _patches;    ///< of what is near

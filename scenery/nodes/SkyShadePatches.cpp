@@ -52,22 +52,23 @@ private:
 
 } // namespace
 
-SkyShadePatch patchBelow(const SkyHider& hider, const foundation::HeightInPlan& ground)
+SkyShadePatch patchBelow(const SkyOccluder& occluder, const foundation::HeightInPlan& ground)
 {
     constexpr int kTurns = 12;
-    const double radiusM = std::sqrt(hider.halfM.x * hider.halfM.y);
-    const double soft = std::clamp(hider.heightM / radiusM, 0.15, 1.0);
-    const glm::dvec2 side(-hider.ahead.y, hider.ahead.x);
+    const double radiusM = std::sqrt(occluder.halfM.x * occluder.halfM.y);
+    const double soft = std::clamp(occluder.heightM / radiusM, 0.15, 1.0);
+    const glm::dvec2 side(-occluder.ahead.y, occluder.ahead.x);
     Rows rows(ground, kTurns, true);
     const double outer = 1.0 + 2.0 * soft;
     for (const double share : {0.0, 0.5, 0.8, 1.0, 1.0 + 0.4 * soft, 1.0 + soft, outer})
         for (int turn = 0; turn < kTurns; ++turn)
         {
             const double angle = 2.0 * std::numbers::pi * turn / kTurns;
-            const glm::dvec2 on = share * glm::dvec2(std::cos(angle), std::sin(angle)) * hider.halfM;
+            const glm::dvec2 on = share * glm::dvec2(std::cos(angle), std::sin(angle)) * occluder.halfM;
             const double hidden =
-                share == outer ? 0.0 : hider.opaque * hiddenByDisc(share * radiusM, radiusM, hider.heightM);
-            rows.add(hider.place + on.x * hider.ahead + on.y * side, hidden);
+                share == outer ? 0.0
+                               : occluder.opaque * hiddenByDisc(share * radiusM, radiusM, occluder.heightM);
+            rows.add(occluder.place + on.x * occluder.ahead + on.y * side, hidden);
         }
     return rows.finish();
 }

@@ -9,7 +9,7 @@
 #include <foundation/Heights.h>
 #include <glm/glm.hpp>
 
-#include "scenery/placement/SkyHiders.h"
+#include "scenery/placement/SkyOccluders.h"
 
 namespace scenery
 {
@@ -28,7 +28,7 @@ struct SkyShadePatch
 
 /// Lays a patch below a body, or before a wall, on the ground. Where the ground is not known the patch is
 /// empty. Cost: a question to the ground for each corner, 85 below a body and some 30 before a wall.
-SkyShadePatch patchBelow(const SkyHider& hider, const foundation::HeightInPlan& ground);
+SkyShadePatch patchBelow(const SkyOccluder& occluder, const foundation::HeightInPlan& ground);
 SkyShadePatch patchBefore(const SkyWall& wall, const foundation::HeightInPlan& ground);
 
 } // namespace scenery

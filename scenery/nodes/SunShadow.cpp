@@ -13,7 +13,7 @@
 
 #include <shaders/scenery.h>
 
-#include "scenery/nodes/Darkening.h"
+#include "scenery/nodes/OcclusionProgram.h"
 
 namespace scenery
 {
@@ -34,7 +34,7 @@ osg::ref_ptr<osg::StateSet> shadowState(osg::Image& mask)
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     texture->setResizeNonPowerOfTwoHint(false);
     constexpr int kBin = 9; // after the ground, before what is seen through
-    osg::ref_ptr<osg::StateSet> state = makeDarkeningState(makeSunShadowProgram(), kBin);
+    osg::ref_ptr<osg::StateSet> state = makeOcclusionState(makeSunShadowProgram(), kBin);
     state->setTextureAttributeAndModes(0, texture);
     state->addUniform(new osg::Uniform("shadowMask", 0));
     return state;
@@ -61,7 +61,7 @@ glm::dmat3 levelAxes(const glm::dmat3& body)
 
 osg::ref_ptr<osg::Program> makeSunShadowProgram()
 {
-    return makeDarkeningProgram("shadow", shaders::kShadowMain);
+    return makeOcclusionProgram("shadow", shaders::kShadowMain);
 }
 
 SunShadow::SunShadow()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Darkens the ground where a body keeps the sun away: what is drawn is multiplied by the light that is left, as ground of a medium
-// colour shows it. In haze the shadow pales (Darkening.glsl, before this). Where there is no sun there is no shadow.
+// colour shows it. In haze the shadow pales (Occlusion.glsl, before this). Where there is no sun there is no shadow.
 
 in vec3 fromEye;
 in vec2 maskAt;

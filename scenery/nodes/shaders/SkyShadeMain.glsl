@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Takes light of the sky from ground that sees less of it: maskAt.x is the share that is hidden. The sun's light is left as it is there.
-// After Darkening.glsl.
+// After Occlusion.glsl.
 
 in vec3 fromEye;
 in vec2 maskAt;

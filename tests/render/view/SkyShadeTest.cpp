@@ -10,12 +10,12 @@ namespace
 
 constexpr int kAcrossPx = 320, kUpPx = 240;
 
-scenery::SkyHiders wallAndCrown()
+scenery::SkyOccluders wallAndCrown()
 {
-    scenery::SkyHiders hiders;
-    hiders.walls.push_back({{-10.0, 0.0}, {0.0, 0.0}, 6.0}); // its outer side looks south
-    hiders.bodies.push_back({{6.0, -3.0}, {1.0, 0.0}, {2.5, 2.5}, 2.0, 0.8});
-    return hiders;
+    scenery::SkyOccluders occluders;
+    occluders.walls.push_back({{-10.0, 0.0}, {0.0, 0.0}, 6.0}); // its outer side looks south
+    occluders.bodies.push_back({{6.0, -3.0}, {1.0, 0.0}, {2.5, 2.5}, 2.0, 0.8});
+    return occluders;
 }
 
 /// The green of the ground seen from straight above, 24 m high.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenery/placement/SkyHiders.h"
+#include "scenery/placement/SkyOccluders.h"
 
 #include <cmath>
 
@@ -31,37 +31,38 @@ double lowestLeavesM(Kind kind)
     return kind == Kind::poplar ? 1.0 : kind == Kind::spruce ? 0.5 : 0.1;
 }
 
-void addWalls(SkyHiders& hiders, const Placement& placement, const Measures& measures)
+void addWalls(SkyOccluders& occluders, const Placement& placement, const Measures& measures)
 {
     const glm::dvec2 low = measures.baseLow, high = measures.baseHigh;
     const glm::dvec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
     const auto placed = [&](const glm::dvec2& corner)
     { return glm::dvec2(placement.position + placement.axes * glm::dvec3(placement.scale * corner, 0.0)); };
     for (int i = 0; i < 4; ++i)
-        hiders.walls.push_back({placed(corners[i]), placed(corners[(i + 1) % 4]), kHouseM * placement.scale});
+        occluders.walls.push_back(
+            {placed(corners[i]), placed(corners[(i + 1) % 4]), kHouseM * placement.scale});
 }
 
-void addHider(SkyHiders& hiders, const Placement& placement, Kind kind, const Measures& measures)
+void addOccluder(SkyOccluders& occluders, const Placement& placement, Kind kind, const Measures& measures)
 {
     const double scale = placement.scale;
     const glm::dvec2 ahead(placement.axes[0]);
     if (isTree(kind))
     {
         const glm::dvec2 half(kCrownShare * measures.radiusM * scale);
-        hiders.bodies.push_back(
+        occluders.bodies.push_back(
             {glm::dvec2(placement.position), {1.0, 0.0}, half, lowestLeavesM(kind) * scale, kCrownOpaque});
         return;
     }
-    if (kind < Kind::saloon) return addWalls(hiders, placement, measures);
+    if (kind < Kind::saloon) return addWalls(occluders, placement, measures);
     const glm::dvec2 middle = 0.5 * scale * (measures.baseLow + measures.baseHigh);
     const glm::dvec2 half = 0.5 * scale * (measures.baseHigh - measures.baseLow);
-    hiders.bodies.push_back({glm::dvec2(placement.position + placement.axes * glm::dvec3(middle, 0.0)),
-                             glm::normalize(ahead), half, kVehicleClearM * scale, kVehicleOpaque});
+    occluders.bodies.push_back({glm::dvec2(placement.position + placement.axes * glm::dvec3(middle, 0.0)),
+                                glm::normalize(ahead), half, kVehicleClearM * scale, kVehicleOpaque});
 }
 
 } // namespace
 
-void SkyHiders::add(const SkyHiders& more)
+void SkyOccluders::add(const SkyOccluders& more)
 {
     bodies.insert(bodies.end(), more.bodies.begin(), more.bodies.end());
     walls.insert(walls.end(), more.walls.begin(), more.walls.end());
@@ -79,16 +80,16 @@ double hiddenByDisc(double awayM, double radiusM, double heightM)
     return 0.5 * (1.0 - (sum - 2.0 * r2) / std::sqrt(std::max(sum * sum - 4.0 * r2 * a2, 1e-12)));
 }
 
-SkyHiders hidersOf(const SceneryDescription& description, const PlacedScenery& placed,
-                   const std::vector<Measures>& measures)
+SkyOccluders occludersOf(const SceneryDescription& description, const PlacedScenery& placed,
+                         const std::vector<Measures>& measures)
 {
-    SkyHiders hiders;
+    SkyOccluders occluders;
     const std::vector<SceneryObject> objects = objectsOf(description);
-    hiders.bodies.reserve(placed.placements.size());
+    occluders.bodies.reserve(placed.placements.size());
     for (const Placement& placement : placed.placements)
         if (const auto kind = objects[placement.object].kind)
-            addHider(hiders, placement, *kind, measures[placement.object]);
-    return hiders;
+            addOccluder(occluders, placement, *kind, measures[placement.object]);
+    return occluders;
 }
 
 } // namespace scenery

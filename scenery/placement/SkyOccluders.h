@@ -12,7 +12,7 @@ namespace scenery
 {
 
 /// A body over the ground that hides the sky from it: an ellipse. Frame: the scene's. Units: metres.
-struct SkyHider
+struct SkyOccluder
 {
     glm::dvec2 place;     ///< of its middle
     glm::dvec2 ahead;     ///< unit vector of its first half axis
@@ -29,12 +29,12 @@ struct SkyWall
 };
 
 /// What hides the sky from the ground.
-struct SkyHiders
+struct SkyOccluders
 {
-    std::vector<SkyHider> bodies;
+    std::vector<SkyOccluder> bodies;
     std::vector<SkyWall> walls;
 
-    void add(const SkyHiders& more);
+    void add(const SkyOccluders& more);
 };
 
 /// The share of the light of an even sky that a wall keeps from level ground at a distance before its middle,
@@ -48,7 +48,7 @@ double hiddenByDisc(double awayM, double radiusM, double heightM);
 
 /// What generated models of a scenery hide: crowns, vehicles, walls of houses. `measures`: of its objects, in
 /// the order of objectsOf(). Models of files are left out.
-SkyHiders hidersOf(const SceneryDescription& description, const PlacedScenery& placed,
-                   const std::vector<Measures>& measures);
+SkyOccluders occludersOf(const SceneryDescription& description, const PlacedScenery& placed,
+                         const std::vector<Measures>& measures);
 
 } // namespace scenery

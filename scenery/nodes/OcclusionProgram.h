@@ -8,10 +8,10 @@ namespace scenery
 {
 
 /// The program of surfaces that darken the ground below them: shadows of what moves, and sky that things
-/// hide. `fragmentMain` follows the functions of Atmosphere and Darkening.glsl.
-osg::ref_ptr<osg::Program> makeDarkeningProgram(const char* name, const char* fragmentMain);
+/// hide. `fragmentMain` follows the functions of Atmosphere and Occlusion.glsl.
+osg::ref_ptr<osg::Program> makeOcclusionProgram(const char* name, const char* fragmentMain);
 
 /// Multiplies what is drawn before `bin`, and writes no depth.
-osg::ref_ptr<osg::StateSet> makeDarkeningState(osg::Program* program, int bin);
+osg::ref_ptr<osg::StateSet> makeOcclusionState(osg::Program* program, int bin);
 
 } // namespace scenery

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What walls and discs hide of the sky is what a sum over all its directions says.
-#include "scenery/placement/SkyHiders.h"
+#include "scenery/placement/SkyOccluders.h"
 
 #include <cmath>
 #include <functional>
@@ -35,7 +35,7 @@ bool meetsDisc(const glm::dvec3& way, double awayM, double radiusM, double heigh
     return glm::length(at - glm::dvec2(awayM, 0.0)) < radiusM;
 }
 
-TEST(SkyHiders, AWallHidesWhatASumOverTheSkySays)
+TEST(SkyOccluders, AWallHidesWhatASumOverTheSkySays)
 {
     for (const double awayM : {0.0, 0.5, 2.0, 6.0})
     {
@@ -47,7 +47,7 @@ TEST(SkyHiders, AWallHidesWhatASumOverTheSkySays)
     }
 }
 
-TEST(SkyHiders, ADiscHidesWhatASumOverTheSkySays)
+TEST(SkyOccluders, ADiscHidesWhatASumOverTheSkySays)
 {
     for (const double awayM : {0.0, 2.0, 4.0, 7.0})
     {
@@ -58,7 +58,7 @@ TEST(SkyHiders, ADiscHidesWhatASumOverTheSkySays)
     }
 }
 
-TEST(SkyHiders, ModelsHideByTheirKind)
+TEST(SkyOccluders, ModelsHideByTheirKind)
 {
     SceneryDescription description;
     for (const models::Kind kind : {models::Kind::oak, models::Kind::van, models::Kind::barn})
@@ -76,13 +76,13 @@ TEST(SkyHiders, ModelsHideByTheirKind)
         measures[i].baseLow = {-2.0, -1.0};
         measures[i].baseHigh = {3.0, 1.0};
     }
-    const SkyHiders hiders = hidersOf(description, placed, measures);
-    ASSERT_EQ(hiders.bodies.size(), 2U);
-    EXPECT_EQ(hiders.walls.size(), 4U) << "of the barn";
-    EXPECT_NEAR(hiders.bodies[0].halfM.x, 1.5 * 0.8 * 4.0, 1e-12);
-    EXPECT_NEAR(hiders.bodies[1].halfM.x, 1.5 * 2.5, 1e-12);
-    EXPECT_NEAR(hiders.bodies[1].place.x, 10.0 + 1.5 * 0.5 * std::cos(0.5), 1e-12);
-    for (const SkyWall& wall : hiders.walls)
+    const SkyOccluders occluders = occludersOf(description, placed, measures);
+    ASSERT_EQ(occluders.bodies.size(), 2U);
+    EXPECT_EQ(occluders.walls.size(), 4U) << "of the barn";
+    EXPECT_NEAR(occluders.bodies[0].halfM.x, 1.5 * 0.8 * 4.0, 1e-12);
+    EXPECT_NEAR(occluders.bodies[1].halfM.x, 1.5 * 2.5, 1e-12);
+    EXPECT_NEAR(occluders.bodies[1].place.x, 10.0 + 1.5 * 0.5 * std::cos(0.5), 1e-12);
+    for (const SkyWall& wall : occluders.walls)
     {
         const glm::dvec2 along = wall.to - wall.from, out(along.y, -along.x);
         const glm::dvec2 middle = glm::dvec2(placed.placements[2].position) +

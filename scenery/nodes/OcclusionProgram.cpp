@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenery/nodes/Darkening.h"
+#include "scenery/nodes/OcclusionProgram.h"
 
 #include <string>
 
@@ -12,7 +12,7 @@
 namespace scenery
 {
 
-osg::ref_ptr<osg::Program> makeDarkeningProgram(const char* name, const char* fragmentMain)
+osg::ref_ptr<osg::Program> makeOcclusionProgram(const char* name, const char* fragmentMain)
 {
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName(name);
@@ -20,11 +20,11 @@ osg::ref_ptr<osg::Program> makeDarkeningProgram(const char* name, const char* fr
     program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kShadowVertexMain));
     program->addShader(
         new osg::Shader(osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() +
-                                                   shaders::kDarkening + fragmentMain));
+                                                   shaders::kOcclusion + fragmentMain));
     return program;
 }
 
-osg::ref_ptr<osg::StateSet> makeDarkeningState(osg::Program* program, int bin)
+osg::ref_ptr<osg::StateSet> makeOcclusionState(osg::Program* program, int bin)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
