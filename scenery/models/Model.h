@@ -32,7 +32,7 @@ enum class Painting : std::uint8_t
     van,
     bus,
     wheel,
-    roadSigns, ///< roads/SignAtlas.h
+    plain, ///< one colour and the signs of roads: roads/SignAtlas.h
     estate,
     instruments, ///< cockpit/PaintInstruments.h
     count,

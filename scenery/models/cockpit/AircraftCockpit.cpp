@@ -23,9 +23,9 @@ constexpr double kPanelXM = 0.64, kPanelTopM = -0.105, kPanelLowM = -0.56, kLeft
 Model panelModel()
 {
     ModelBuilder builder;
-    builder.begin("panel", kRoadSigns, kPanelGrey);
+    builder.begin("panel", kPlain, kPanelGrey);
     box(builder, {kPanelXM, kRightM, kPanelLowM}, {kPanelXM + 0.03, kLeftM, kPanelTopM});
-    builder.begin("glareshield", kRoadSigns, kSeam);
+    builder.begin("glareshield", kPlain, kSeam);
     box(builder, {kPanelXM - 0.07, kRightM, kPanelTopM}, {kPanelXM + 0.30, kLeftM, kPanelTopM + 0.018});
     return builder.finish(30.0);
 }
@@ -34,7 +34,7 @@ Model panelModel()
 Model cockpitCabinModel()
 {
     ModelBuilder builder;
-    builder.begin("cabin", kRoadSigns, kLining);
+    builder.begin("cabin", kPlain, kLining);
     for (const double side : {kLeftM + 0.01, kRightM - 0.01})
     {
         addPost(builder, {kPanelXM + 0.28, side, kPanelTopM}, {0.30, side, kCockpitRoofM}, 0.022);

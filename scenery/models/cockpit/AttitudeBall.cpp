@@ -46,7 +46,7 @@ Model ballModel(double radiusM)
 Model ringModel(double radiusM, double liftM)
 {
     ModelBuilder builder;
-    builder.begin("ring", kRoadSigns, kRing);
+    builder.begin("ring", kPlain, kRing);
     std::vector<std::vector<Corner>> rows;
     for (const auto& [share, up] : {std::pair{1.14, 0.0}, {1.12, liftM}, {0.90, liftM}, {0.86, 0.3 * liftM}})
     {
@@ -65,7 +65,7 @@ Model ringModel(double radiusM, double liftM)
 Model birdModel(double radiusM)
 {
     ModelBuilder builder;
-    builder.begin("aeroplane", kRoadSigns, kBird);
+    builder.begin("aeroplane", kPlain, kBird);
     const auto rectangle = [&](double x0, double y0, double x1, double y1)
     {
         const auto at = [&](double x, double y) {

@@ -36,11 +36,11 @@ Walls wallsOf(const EntityShape& shape, const glm::dvec3& eye)
 Model dashboardModel(const Walls& walls)
 {
     ModelBuilder builder;
-    builder.begin("dashboard", kRoadSigns, kDashboard);
+    builder.begin("dashboard", kPlain, kDashboard);
     box(builder, {kClusterXM + 0.02, walls.rightM, -0.75}, {kDashEndXM, walls.leftM, kDashTopM});
     box(builder, {kClusterXM - 0.03, walls.rightM, -0.75}, {kClusterXM + 0.02, -0.26, kDashTopM - 0.03});
     box(builder, {kClusterXM - 0.03, 0.26, -0.75}, {kClusterXM + 0.02, walls.leftM, kDashTopM - 0.03});
-    builder.begin("cluster", kRoadSigns, kSeam);
+    builder.begin("cluster", kPlain, kSeam);
     box(builder, {kClusterXM, -0.25, -0.42}, {kClusterXM + 0.03, 0.25, kDashTopM});
     box(builder, {kClusterXM - 0.04, -0.22, kDashTopM - 0.012},
         {kClusterXM + 0.05, 0.22, kDashTopM + 0.006}); // its hood
@@ -51,7 +51,7 @@ Model dashboardModel(const Walls& walls)
 Model carCabinModel(const Walls& walls)
 {
     ModelBuilder builder;
-    builder.begin("cabin", kRoadSigns, kLining);
+    builder.begin("cabin", kPlain, kLining);
     for (const double side : {1.0, -1.0})
     {
         const double wall = side > 0.0 ? walls.leftM : walls.rightM, lean = -0.14 * side;
@@ -73,7 +73,7 @@ Model bonnetModel(const EntityShape& shape)
     const glm::dvec3 stretch(shape.lengthM / form.lengthM, shape.widthM / form.widthM,
                              shape.heightM / form.heightM);
     ModelBuilder builder;
-    builder.begin("bonnet", {Painting::roadSigns, Coat::lacquered}, {shape.red, shape.green, shape.blue});
+    builder.begin("bonnet", {Painting::plain, Coat::lacquered}, {shape.red, shape.green, shape.blue});
     constexpr int kAlong = 16, kAcross = 20;
     std::vector<std::vector<Corner>> rows;
     for (int i = kAlong; i >= 0; --i)
@@ -96,7 +96,7 @@ Model bonnetModel(const EntityShape& shape)
 Model telltaleModel(const std::vector<glm::dvec2>& corners, const glm::vec3& tint)
 {
     ModelBuilder builder;
-    builder.begin("telltale", kRoadSigns, tint);
+    builder.begin("telltale", kPlain, tint);
     const auto corner = [&](std::size_t i) {
         return Corner{{corners[i], 0.0}, plainUv(), {0.0F, 0.0F, 1.0F}};
     };

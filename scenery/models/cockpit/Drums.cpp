@@ -48,7 +48,7 @@ Model drumModel(double radiusM, double wideM, DrumColumn column)
 Model frameModel(double wideM, double windowM)
 {
     ModelBuilder builder;
-    builder.begin("frame", kRoadSigns, kFrame);
+    builder.begin("frame", kPlain, kFrame);
     const double half = 0.5 * windowM, rim = 0.7 * windowM;
     for (const double side : {-1.0, 1.0})
     {

@@ -49,7 +49,7 @@ Model faceModel(Instrument instrument, double radiusM)
 Model flatModel(const std::vector<glm::dvec2>& corners, const glm::vec3& tint)
 {
     ModelBuilder builder;
-    builder.begin("hand", kRoadSigns, tint);
+    builder.begin("hand", kPlain, tint);
     const auto corner = [&](std::size_t i) {
         return Corner{{corners[i], 0.0}, plainUv(), {0.0F, 0.0F, 1.0F}};
     };
@@ -70,7 +70,7 @@ Model aeroplaneModel(const DialHand& hand, double radiusM)
 {
     const double wing = hand.reach * radiusM, half = 0.035 * radiusM;
     ModelBuilder builder;
-    builder.begin("aeroplane", kRoadSigns, kNeedle);
+    builder.begin("aeroplane", kPlain, kNeedle);
     const auto rectangle = [&](const glm::dvec2& low, const glm::dvec2& high)
     {
         const auto at = [](double x, double y) { return Corner{{x, y, 0.0}, plainUv(), {0.0F, 0.0F, 1.0F}}; };
@@ -111,7 +111,7 @@ Model handModel(const PlacedInstrument& placed, const DialHand& hand)
 Model bezelModel(double radiusM)
 {
     ModelBuilder builder;
-    builder.begin("bezel", kRoadSigns, kBezel);
+    builder.begin("bezel", kPlain, kBezel);
     std::vector<std::vector<Corner>> rows;
     for (const auto& [share, liftM] :
          {std::pair{1.14, 0.0}, {1.12, 0.006}, {1.02, 0.006}, {0.99, kFaceLiftM}})

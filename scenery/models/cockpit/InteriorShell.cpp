@@ -43,7 +43,7 @@ void addMirror(InteriorModel& interior, const InteriorMirror& mirror)
     const glm::dvec3 across = right + 2.0 * kRimM * r, high = up + 2.0 * kRimM * u;
     const std::array<glm::dvec3, 4> profile{low, low + across, low + across + high, low + high};
     ModelBuilder builder;
-    builder.begin("housing", kRoadSigns, kSeam);
+    builder.begin("housing", kPlain, kSeam);
     addPrism(builder, profile.size(),
              [&](std::size_t end, std::size_t point, std::size_t) {
                  return Corner{profile[point] - (end == 0 ? kDeepM : 0.0) * out, plainUv()};

@@ -15,7 +15,7 @@ Model makeSteeringWheel(double radiusM)
     constexpr int kAround = 40, kAcross = 10;
     constexpr double kRimM = 0.014;
     ModelBuilder builder;
-    builder.begin("rim", kRoadSigns, kSeam);
+    builder.begin("rim", kPlain, kSeam);
     std::vector<std::vector<Corner>> rows;
     for (int i = 0; i <= kAround; ++i)
     {

@@ -171,7 +171,7 @@ void Airframe::addLeg(std::size_t index, const glm::dvec3& from, const glm::dvec
     AircraftPart part{
         .joint = AircraftJoint::leg, .pivot = hub, .index = index, .bottom = bottom, .wheelRadiusM = radiusM};
     ModelBuilder leg;
-    leg.begin("leg", kRoadSigns, kAircraftMetal);
+    leg.begin("leg", kPlain, kAircraftMetal);
     bar(leg, from, hub, 0.16 * radiusM);
     bar(leg, hub - glm::dvec3(0.0, 0.6 * wideM, 0.0), hub + glm::dvec3(0.0, 0.6 * wideM, 0.0),
         0.12 * radiusM);
@@ -182,12 +182,12 @@ void Airframe::addLeg(std::size_t index, const glm::dvec3& from, const glm::dvec
         return LoftRing{hub + glm::dvec3(0.0, y * wideM, 0.0), glm::dvec3(0.0, 0.0, share * radiusM),
                         glm::dvec3(share * radiusM, 0.0, 0.0)};
     };
-    wheel.begin("tyre", kRoadSigns, kAircraftTyre);
+    wheel.begin("tyre", kPlain, kAircraftTyre);
     addLoft(wheel,
             {ring(-0.3, 0.0), ring(-0.3, 0.5), ring(-0.5, 0.78), ring(-0.36, 1.0), ring(0.36, 1.0),
              ring(0.5, 0.78), ring(0.3, 0.5), ring(0.3, 0.0)},
             24);
-    wheel.begin("rim", kRoadSigns, kAircraftMetal);
+    wheel.begin("rim", kPlain, kAircraftMetal);
     for (const double side : {1.0, -1.0}) // a bar across shows that it turns
         box(wheel, hub + glm::dvec3(-0.45 * radiusM, side * 0.31 * wideM - 0.01, -0.08 * radiusM),
             hub + glm::dvec3(0.45 * radiusM, side * 0.31 * wideM + 0.01, 0.08 * radiusM));

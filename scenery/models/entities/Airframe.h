@@ -14,7 +14,7 @@ namespace scenery::models
 
 inline constexpr glm::vec3 kAircraftWhite(0.93F, 0.93F, 0.91F), kCanopy(0.10F, 0.13F, 0.16F),
     kAircraftMetal(0.62F, 0.63F, 0.66F), kAircraftTyre(0.14F, 0.14F, 0.15F);
-inline const Surface kAircraftPaint{Painting::roadSigns, Coat::lacquered};
+inline const Surface kAircraftPaint{Painting::plain, Coat::lacquered};
 
 /// What moves a part.
 enum class AircraftJoint

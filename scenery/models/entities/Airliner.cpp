@@ -91,7 +91,7 @@ void addEngines(ModelBuilder& body, const glm::vec3& trim)
                 {ring(-1.2, 0.0), ring(-1.2, 0.55), ring(-0.4, 0.90), ring(1.6, 1.12), ring(3.2, 1.10),
                  ring(3.5, 1.0), ring(3.5, 0.88), ring(3.0, 0.84), ring(3.0, 0.0)},
                 28);
-        body.begin("fans", kRoadSigns, kAircraftTyre);
+        body.begin("fans", kPlain, kAircraftTyre);
         addLoft(body, {ring(2.98, 0.0), ring(2.98, 0.86), ring(3.04, 0.86), ring(3.3, 0.0)}, 28);
         body.begin("pylons", kAircraftPaint, kAircraftWhite);
         addWingPanel(body, {{{{2.4, side * 5.75, 2.7}, 3.6, 0.09}, {{0.8, side * 5.75, 3.2}, 2.8, 0.09}}});

@@ -120,7 +120,7 @@ LoftRing upright(double x, double z, double wide, double high)
 /// Antlers of a moose are palms with tines, those of other deer branch from a beam.
 void addAntlers(ModelBuilder& builder, double h, const glm::dvec3& poll, bool isMoose)
 {
-    builder.begin("antlers", kRoadSigns, kHorn);
+    builder.begin("antlers", kPlain, kHorn);
     for (const double side : {1.0, -1.0})
     {
         const glm::dvec3 root = poll + glm::dvec3(0.0, side * 0.05 * h, 0.06 * h);
@@ -142,19 +142,19 @@ void addFace(ModelBuilder& builder, const AnimalSize& size, const glm::dvec3& po
 {
     const double h = size.height;
     const AnimalForm& form = *size.form;
-    builder.begin("ears", kRoadSigns, 0.85F * coat);
+    builder.begin("ears", kPlain, 0.85F * coat);
     for (const double side : {1.0, -1.0})
         addLimb(builder, poll + glm::dvec3(-0.02 * h, side * 0.04 * h, 0.05 * h),
                 poll + glm::dvec3(-0.04 * h, side * (0.04 + form.earAside) * h, (0.05 + form.earUp) * h),
                 0.024 * h, 0.010 * h);
-    builder.begin("eyes", kRoadSigns, kEye);
+    builder.begin("eyes", kPlain, kEye);
     for (const double side : {1.0, -1.0})
     {
         const glm::dvec3 eye = glm::mix(poll, muzzle, 0.30) +
                                glm::dvec3(0.0, side * 0.82 * form.headFrom * h, 0.35 * form.headFrom * h);
         addLimb(builder, eye, eye + glm::dvec3(0.004 * h, 0.0, 0.0), 0.016 * h, 0.016 * h);
     }
-    builder.begin("nose", kRoadSigns, size.kind == EntityKind::cow ? glm::vec3(0.62F, 0.45F, 0.42F) : kEye);
+    builder.begin("nose", kPlain, size.kind == EntityKind::cow ? glm::vec3(0.62F, 0.45F, 0.42F) : kEye);
     addLimb(builder, glm::mix(poll, muzzle, 0.98), glm::mix(poll, muzzle, 1.08), 1.03 * form.headTo * h,
             0.85 * form.headTo * h);
 }
@@ -167,21 +167,21 @@ void addHead(ModelBuilder& builder, const AnimalSize& size, const glm::vec3& coa
                              (size.kind == EntityKind::cow ? 0.64 : 0.70) * h);
     const glm::dvec3 poll(nose - form.headLength * size.length, 0.0, form.pollZ * h),
         muzzle(nose - 0.03 * h, 0.0, form.muzzleZ * h);
-    builder.begin("neck", kRoadSigns, coat);
+    builder.begin("neck", kPlain, coat);
     addLimb(builder, withers, poll, form.neckFrom * h, form.neckTo * h);
     const glm::vec3 face = size.kind == EntityKind::sheep ? glm::vec3(0.16F, 0.14F, 0.13F) : coat;
-    builder.begin("head", kRoadSigns, face);
+    builder.begin("head", kPlain, face);
     addLimb(builder, poll, muzzle, form.headFrom * h, form.headTo * h);
     addFace(builder, size, poll, muzzle, face);
     if (size.kind == EntityKind::horse)
     {
-        builder.begin("mane", kRoadSigns, 0.35F * coat);
+        builder.begin("mane", kPlain, 0.35F * coat);
         addLimb(builder, withers + glm::dvec3(-0.02 * h, 0.0, 0.10 * h),
                 poll + glm::dvec3(-0.03 * h, 0.0, 0.05 * h), 0.045 * h, 0.035 * h);
     }
     if (size.kind == EntityKind::cow)
     {
-        builder.begin("horns", kRoadSigns, kHorn);
+        builder.begin("horns", kPlain, kHorn);
         for (const double side : {1.0, -1.0})
             addLimb(builder, poll + glm::dvec3(0.0, side * 0.05 * h, 0.07 * h),
                     poll + glm::dvec3(0.02 * h, side * 0.14 * h, 0.14 * h), 0.018 * h, 0.008 * h);
@@ -196,7 +196,7 @@ Model makeTrunk(const AnimalSize& size, const glm::vec3& coat)
     const double span = front - back, w = size.thick;
     const double t = size.form->trunkHigh * h;
     ModelBuilder builder;
-    builder.begin("trunk", kRoadSigns, coat);
+    builder.begin("trunk", kPlain, coat);
     addLoft(builder,
             {upright(back, 0.60 * h, 0.0, 0.0), upright(back + 0.02 * span, 0.60 * h, 0.45 * w, 0.09 * t),
              upright(back + 0.12 * span, 0.59 * h, 0.85 * w, 0.135 * t),
@@ -206,13 +206,13 @@ Model makeTrunk(const AnimalSize& size, const glm::vec3& coat)
              upright(back + 0.94 * span, 0.60 * h, 0.62 * w, 0.14 * t), upright(front, 0.60 * h, 0.0, 0.0)},
             20);
     const AnimalForm& form = *size.form;
-    builder.begin("tail", kRoadSigns, size.kind == EntityKind::horse ? 0.35F * coat : coat);
+    builder.begin("tail", kPlain, size.kind == EntityKind::horse ? 0.35F * coat : coat);
     addLimb(builder, {back + 0.03 * span, 0.0, 0.66 * h},
             {back - form.tailBack * h, 0.0, (0.66 - form.tailDrop) * h}, std::min(form.tailRadius, 0.022) * h,
             form.tailRadius * h);
     if (size.kind == EntityKind::cow) // white below and on the shoulder
     {
-        builder.begin("patches", kRoadSigns, {0.90F, 0.88F, 0.84F});
+        builder.begin("patches", kPlain, {0.90F, 0.88F, 0.84F});
         for (const double side : {1.0, -1.0})
         {
             addLimb(builder, {back + 0.30 * span, side * 0.42 * w, 0.60 * h},
@@ -228,11 +228,11 @@ Model makeTrunk(const AnimalSize& size, const glm::vec3& coat)
 Model makeBone(double lengthM, double fromM, double toM, const glm::vec3& tint, bool hasFoot)
 {
     ModelBuilder builder;
-    builder.begin("bone", kRoadSigns, tint);
+    builder.begin("bone", kPlain, tint);
     addLimb(builder, {}, {0.0, 0.0, -lengthM}, fromM, toM);
     if (hasFoot)
     {
-        builder.begin("foot", kRoadSigns, kHoof);
+        builder.begin("foot", kPlain, kHoof);
         addLimb(builder, {0.15 * toM, 0.0, -lengthM + 0.6 * toM}, {0.45 * toM, 0.0, -lengthM - 0.15 * toM},
                 1.15 * toM, 1.25 * toM);
     }

@@ -46,7 +46,7 @@ struct BicyclePose
 Model makeCrank(double armM)
 {
     ModelBuilder builder;
-    builder.begin("crank", kRoadSigns, kBareMetal);
+    builder.begin("crank", kPlain, kBareMetal);
     for (const double side : {1.0, -1.0})
     {
         const glm::dvec3 end(side * armM, side * 0.075, 0.0);
@@ -63,7 +63,7 @@ void addBicycleFrame(ModelBuilder& builder, const EntityShape& shape, const TwoW
 {
     const glm::dvec3 rear(wheels.rearX, 0.0, wheels.radius), front(wheels.frontX, 0.0, wheels.radius);
     const glm::dvec3 head = front + glm::dvec3(-0.17, 0.0, 0.42);
-    builder.begin("frame", kRoadSigns, tintOf(shape));
+    builder.begin("frame", kPlain, tintOf(shape));
     bar(builder, crank, saddle, 0.017);
     bar(builder, crank, head - glm::dvec3(0.0, 0.0, 0.06), 0.020);
     bar(builder, saddle - glm::dvec3(0.0, 0.0, 0.1), head, 0.017);
@@ -74,10 +74,10 @@ void addBicycleFrame(ModelBuilder& builder, const EntityShape& shape, const TwoW
         bar(builder, rear + aside, saddle - glm::dvec3(0.0, 0.0, 0.12), 0.009);
         bar(builder, front + aside, head + 0.6 * aside, 0.012);
     }
-    builder.begin("handlebar", kRoadSigns, kBlackPaint);
+    builder.begin("handlebar", kPlain, kBlackPaint);
     bar(builder, head, {grip.x - 0.03, 0.0, grip.z}, 0.016);
     bar(builder, {grip.x, -grip.y - 0.05, grip.z}, {grip.x, grip.y + 0.05, grip.z}, 0.013);
-    builder.begin("saddle", kRoadSigns, kBlackPaint);
+    builder.begin("saddle", kPlain, kBlackPaint);
     addLimb(builder, saddle + glm::dvec3(-0.08, 0.0, 0.03), saddle + glm::dvec3(0.12, 0.0, 0.03), 0.06,
             0.025);
 }

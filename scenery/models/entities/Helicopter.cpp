@@ -36,14 +36,14 @@ void addHelicopterFuselage(ModelBuilder& body, const glm::vec3& paint)
     addHull(body,
             {{-1.9, 0.30, 1.9, 2.3}, {-1.0, 0.42, 1.9, 2.62}, {0.3, 0.36, 1.9, 2.60}, {0.8, 0.2, 1.9, 2.3}},
             3.0);
-    body.begin("mast", kRoadSigns, kAircraftMetal);
+    body.begin("mast", kPlain, kAircraftMetal);
     bar(body, {-0.1, 0.0, 2.5}, {-0.1, 0.0, 3.12}, 0.07);
     bar(body, {-0.1, 0.0, 3.02}, {-0.1, 0.0, 3.14}, 0.20);
 }
 
 void addSkids(ModelBuilder& body)
 {
-    body.begin("skids", kRoadSigns, kAircraftMetal);
+    body.begin("skids", kPlain, kAircraftMetal);
     for (const double side : {1.0, -1.0})
     {
         addLimb(body, {-1.5, side * 1.05, 0.05}, {1.9, side * 1.05, 0.05}, 0.05, 0.05);

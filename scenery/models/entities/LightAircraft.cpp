@@ -30,7 +30,7 @@ void addLightFuselage(ModelBuilder& body, const glm::vec3& trim)
     body.begin("stripe", kAircraftPaint, trim);
     for (const auto& [from, to] : {std::pair{31, 32}, {16, 17}})
         addBand(body, rings, kLightSides, {2, 14, from, to, 0.006});
-    body.begin("air intake", kRoadSigns, kAircraftTyre);
+    body.begin("air intake", kPlain, kAircraftTyre);
     box(body, {2.25, -0.24, 1.02}, {2.352, 0.24, 1.10});
 }
 

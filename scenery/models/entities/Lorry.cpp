@@ -16,7 +16,7 @@ namespace
 constexpr glm::vec3 kChassis(0.10F, 0.10F, 0.11F), kGlass(0.08F, 0.10F, 0.12F), kCargo(0.86F, 0.87F, 0.87F),
     kLens(0.88F, 0.89F, 0.90F), kRed(0.55F, 0.03F, 0.04F), kSteel(0.55F, 0.56F, 0.57F);
 constexpr double kRakeM = 0.34; ///< how far the roof's edge stands behind the foot of the windscreen
-const Surface kLacquer{Painting::roadSigns, Coat::lacquered};
+const Surface kLacquer{Painting::plain, Coat::lacquered};
 
 double cabLength(const EntityShape& shape)
 {
@@ -79,16 +79,16 @@ void addCab(ModelBuilder& builder, EntityModel& model, const EntityShape& shape)
     addWindscreen(builder, {front + 0.02, sill + 0.04}, {front - kRakeM * 0.9 + 0.02, lintel}, 0.86 * half);
     builder.begin("side windows", kLacquer, kGlass);
     box(builder, {front - 1.45, -half - 0.012, sill + 0.02}, {front - 0.55, half + 0.012, lintel - 0.06});
-    builder.begin("grille", kRoadSigns, kChassis);
+    builder.begin("grille", kPlain, kChassis);
     addPlateAhead(builder, front, {0.0, low + 0.30 * (high - low)}, {1.0 * half, 0.22 * (high - low)});
-    builder.begin("bumper", kRoadSigns, kChassis);
+    builder.begin("bumper", kPlain, kChassis);
     box(builder, {front - 0.3, -half, low - 0.22}, {front + 0.03, half, low + 0.02});
-    builder.begin("head lamps", kRoadSigns, kLens);
+    builder.begin("head lamps", kPlain, kLens);
     addLampPair(builder, model, Lamp::head, Lamp::head, {front + 0.005, 0.76 * half, low + 0.14},
                 {0.34, 0.16}, true);
     addLampPair(builder, model, Lamp::indicatorLeft, Lamp::indicatorRight,
                 {front + 0.005, 0.62 * half, low + 0.30}, {0.12, 0.08}, true);
-    builder.begin("mirrors", kRoadSigns, kChassis);
+    builder.begin("mirrors", kPlain, kChassis);
     for (const double side : {1.0, -1.0})
     {
         const double y = side * (half + 0.16);
@@ -102,7 +102,7 @@ void addChassis(ModelBuilder& builder, const EntityShape& shape, double fromXM, 
 {
     const double floor = floorOf(shape),
                  radius = shape.axles.empty() ? 0.4 : shape.axles.front().wheelRadiusM;
-    builder.begin("frame", kRoadSigns, kChassis);
+    builder.begin("frame", kPlain, kChassis);
     for (const double side : {1.0, -1.0})
         box(builder, {fromXM, side * 0.42 - 0.06, 0.72 * floor}, {toXM, side * 0.42 + 0.06, floor});
     if (shape.axles.size() > 1 && toXM - fromXM > 2.5) // tanks between the axles
@@ -120,12 +120,12 @@ void addTail(ModelBuilder& builder, EntityModel& model, const EntityShape& shape
 {
     using Lamp = EntityLamp::Kind;
     const double back = shape.backXM(), z = 0.78 * floorOf(shape), half = 0.5 * shape.widthM;
-    builder.begin("rear beam", kRoadSigns, kChassis);
+    builder.begin("rear beam", kPlain, kChassis);
     box(builder, {back, -0.95 * half, z - 0.12}, {back + 0.1, 0.95 * half, z + 0.12});
-    builder.begin("tail lamps", kRoadSigns, kRed);
+    builder.begin("tail lamps", kPlain, kRed);
     addLampPair(builder, model, Lamp::tail, Lamp::tail, {back, 0.82 * half, z - 0.04}, {0.22, 0.07}, false);
     addLampPair(builder, model, Lamp::brake, Lamp::brake, {back, 0.82 * half, z + 0.05}, {0.22, 0.07}, false);
-    builder.begin("rear indicators", kRoadSigns, {0.75F, 0.38F, 0.05F});
+    builder.begin("rear indicators", kPlain, {0.75F, 0.38F, 0.05F});
     addLampPair(builder, model, Lamp::indicatorLeft, Lamp::indicatorRight, {back, 0.62 * half, z},
                 {0.12, 0.10}, false);
 }
@@ -133,13 +133,13 @@ void addTail(ModelBuilder& builder, EntityModel& model, const EntityShape& shape
 void addCargo(ModelBuilder& builder, const EntityShape& shape, double fromXM, double toXM)
 {
     const double floor = floorOf(shape), half = 0.5 * shape.widthM;
-    builder.begin("cargo", kRoadSigns, kCargo);
+    builder.begin("cargo", kPlain, kCargo);
     addHull(builder, {{fromXM, half, floor, shape.heightM}, {toXM, half, floor, shape.heightM}}, 60.0);
-    builder.begin("rails", kRoadSigns, kSteel);
+    builder.begin("rails", kPlain, kSteel);
     for (const double side : {1.0, -1.0})
         box(builder, {fromXM + 0.02, side * half - 0.02, floor - 0.10},
             {toXM - 0.02, side * half + 0.02, floor + 0.02});
-    builder.begin("doors", kRoadSigns, kSteel);
+    builder.begin("doors", kPlain, kSteel);
     for (const double y : {-0.55 * half, -0.1 * half, 0.1 * half, 0.55 * half}) // locking bars
         bar(builder, {fromXM - 0.02, y, floor + 0.1}, {fromXM - 0.02, y, shape.heightM - 0.1}, 0.02);
 }
@@ -148,7 +148,7 @@ void addCargo(ModelBuilder& builder, const EntityShape& shape, double fromXM, do
 void addDrawbar(ModelBuilder& builder, const EntityShape& shape)
 {
     const double z = 0.8 * floorOf(shape), front = shape.frontXM();
-    builder.begin("drawbar", kRoadSigns, kChassis);
+    builder.begin("drawbar", kPlain, kChassis);
     for (const double side : {1.0, -1.0})
         bar(builder, {front - 1.1, side * 0.3 * shape.widthM, z}, {front, side * 0.03, z}, 0.04);
 }
@@ -170,7 +170,7 @@ EntityModel makeLorry(const EntityShape& shape)
     if (shape.kind == EntityKind::trailer) addDrawbar(builder, shape);
     if (shape.kind == EntityKind::tractor)
     {
-        builder.begin("fifth wheel", kRoadSigns, kChassis);
+        builder.begin("fifth wheel", kPlain, kChassis);
         const double z = floorOf(shape);
         addLoft(builder,
                 {{{0.0, 0.0, z}, {}, {}},

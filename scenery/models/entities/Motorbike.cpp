@@ -31,26 +31,26 @@ void addMachine(ModelBuilder& body, const EntityShape& shape, const MotorbikePla
     const TwoWheels& wheels = places.wheels;
     const double middle = places.middle;
     const glm::dvec3& grip = places.grip;
-    body.begin("tank", {Painting::roadSigns, Coat::lacquered}, tintOf(shape));
+    body.begin("tank", {Painting::plain, Coat::lacquered}, tintOf(shape));
     addHull(body,
             {{middle - 0.05, 0.10, 0.72, 0.82},
              {middle + 0.08, 0.15, 0.66, 0.93},
              {middle + 0.30, 0.16, 0.66, 0.97},
              {middle + 0.52, 0.08, 0.74, 0.92}},
             2.6);
-    body.begin("tail", {Painting::roadSigns, Coat::lacquered}, tintOf(shape));
+    body.begin("tail", {Painting::plain, Coat::lacquered}, tintOf(shape));
     addHull(body,
             {{wheels.rearX - 0.22, 0.06, 0.72, 0.82},
              {wheels.rearX + 0.15, 0.11, 0.66, 0.82},
              {middle - 0.02, 0.12, 0.62, 0.78}},
             3.0);
-    body.begin("engine", kRoadSigns, kBlackPaint);
+    body.begin("engine", kPlain, kBlackPaint);
     addHull(body,
             {{middle - 0.12, 0.16, 0.26, 0.64},
              {middle + 0.10, 0.20, 0.24, 0.68},
              {middle + 0.38, 0.16, 0.28, 0.62}},
             5.0);
-    body.begin("exhaust", kRoadSigns, kBareMetal);
+    body.begin("exhaust", kPlain, kBareMetal);
     addLimb(body, {middle + 0.2, -0.20, 0.28}, {wheels.rearX - 0.15, -0.20, 0.36}, 0.035, 0.06);
     for (const double side : {0.11, -0.11})
     {
@@ -58,7 +58,7 @@ void addMachine(ModelBuilder& body, const EntityShape& shape, const MotorbikePla
         bar(body, {wheels.rearX, side, wheels.radius}, {middle, side, 0.42}, 0.03);
     }
     bar(body, {grip.x, -grip.y - 0.06, grip.z}, {grip.x, grip.y + 0.06, grip.z}, 0.016);
-    body.begin("head lamp", kRoadSigns, {0.88F, 0.89F, 0.90F});
+    body.begin("head lamp", kPlain, {0.88F, 0.89F, 0.90F});
     addLimb(body, {wheels.frontX - 0.24, 0.0, 0.88}, {wheels.frontX - 0.17, 0.0, 0.88}, 0.09, 0.085);
 }
 

@@ -42,13 +42,13 @@ void addShoe(ModelBuilder& builder, const PersonSize& size, const glm::dvec3& an
 void addTrunk(ModelBuilder& builder, const PersonSize& size, const PersonColours& colours, bool helmet)
 {
     const double h = size.height;
-    builder.begin("hips", kRoadSigns, colours.trousers);
+    builder.begin("hips", kPlain, colours.trousers);
     addLoft(builder,
             {across(0.0, -0.05 * h, 0.0, 0.0), across(0.0, -0.045 * h, 0.055 * h, 0.08 * h),
              across(0.0, 0.0, 0.068 * h, 0.098 * h), across(0.0, 0.045 * h, 0.060 * h, 0.092 * h),
              across(0.0, 0.05 * h, 0.0, 0.0)},
             16);
-    builder.begin("jacket", kRoadSigns, colours.jacket);
+    builder.begin("jacket", kPlain, colours.jacket);
     addLoft(builder,
             {across(0.0, 0.01 * h, 0.0, 0.0), across(0.0, 0.012 * h, 0.070 * h, 0.100 * h),
              across(0.0, 0.10 * h, 0.064 * h, 0.094 * h), across(0.005 * h, 0.20 * h, 0.072 * h, 0.112 * h),
@@ -56,9 +56,9 @@ void addTrunk(ModelBuilder& builder, const PersonSize& size, const PersonColours
              across(-0.004 * h, 0.295 * h, 0.050 * h, 0.095 * h),
              across(-0.004 * h, 0.312 * h, 0.034 * h, 0.045 * h), across(-0.004 * h, 0.318 * h, 0.0, 0.0)},
             20);
-    builder.begin("neck", kRoadSigns, colours.skin);
+    builder.begin("neck", kPlain, colours.skin);
     addLimb(builder, {0.0, 0.0, 0.30 * h}, {0.008 * h, 0.0, 0.36 * h}, 0.030 * h, 0.030 * h);
-    builder.begin("head", kRoadSigns, colours.skin);
+    builder.begin("head", kPlain, colours.skin);
     addLoft(builder,
             {across(0.014 * h, 0.335 * h, 0.0, 0.0), across(0.018 * h, 0.338 * h, 0.026 * h, 0.024 * h),
              across(0.014 * h, 0.365 * h, 0.046 * h, 0.038 * h),
@@ -67,7 +67,7 @@ void addTrunk(ModelBuilder& builder, const PersonSize& size, const PersonColours
              across(0.004 * h, 0.455 * h, 0.032 * h, 0.028 * h), across(0.004 * h, 0.463 * h, 0.0, 0.0)},
             16);
     const double thick = helmet ? 0.012 * h : 0.004 * h, low = helmet ? 0.395 * h : 0.405 * h;
-    builder.begin("hair", kRoadSigns, colours.hair);
+    builder.begin("hair", kPlain, colours.hair);
     addLoft(builder,
             {across(-0.012 * h, low, 0.0, 0.0), across(-0.012 * h, low, 0.042 * h + thick, 0.044 * h + thick),
              across(-0.004 * h, 0.43 * h, 0.052 * h + thick, 0.045 * h + thick),
@@ -80,11 +80,11 @@ void addArm(ModelBuilder& builder, const PersonSize& size, const PersonColours& 
             const glm::dvec3& shoulder, const glm::dvec3& elbow, const glm::dvec3& hand)
 {
     const double h = size.height;
-    builder.begin("sleeve", kRoadSigns, colours.jacket);
+    builder.begin("sleeve", kPlain, colours.jacket);
     addLimb(builder, shoulder, elbow, 0.032 * h, 0.025 * h);
     const glm::dvec3 wrist = elbow + 0.62 * (hand - elbow);
     addLimb(builder, elbow, wrist, 0.025 * h, 0.019 * h);
-    builder.begin("hand", kRoadSigns, colours.skin);
+    builder.begin("hand", kPlain, colours.skin);
     addLimb(builder, wrist, hand - 0.02 * h * glm::normalize(hand - wrist), 0.018 * h, 0.020 * h);
 }
 
@@ -92,17 +92,17 @@ void addLeg(ModelBuilder& builder, const PersonSize& size, const PersonColours& 
             const glm::dvec3& hip, const glm::dvec3& knee, const glm::dvec3& foot)
 {
     const double h = size.height;
-    builder.begin("trousers", kRoadSigns, colours.trousers);
+    builder.begin("trousers", kPlain, colours.trousers);
     addLimb(builder, hip, knee, kThighThick * h, kKneeThick * h);
     addLimb(builder, knee, foot, kKneeThick * h, kAnkleThick * h);
-    builder.begin("shoe", kRoadSigns, colours.shoes);
+    builder.begin("shoe", kPlain, colours.shoes);
     addShoe(builder, size, foot);
 }
 
 Model makeThigh(const PersonSize& size, const PersonColours& colours)
 {
     ModelBuilder builder;
-    builder.begin("thigh", kRoadSigns, colours.trousers);
+    builder.begin("thigh", kPlain, colours.trousers);
     addLimb(builder, {}, {0.0, 0.0, -size.leg().upperM}, kThighThick * size.height, kKneeThick * size.height);
     return builder.finish();
 }
@@ -110,7 +110,7 @@ Model makeThigh(const PersonSize& size, const PersonColours& colours)
 Model makeShank(const PersonSize& size, const PersonColours& colours)
 {
     ModelBuilder builder;
-    builder.begin("shank", kRoadSigns, colours.trousers);
+    builder.begin("shank", kPlain, colours.trousers);
     addLimb(builder, {}, {0.0, 0.0, -size.leg().lowerM}, kKneeThick * size.height, kAnkleThick * size.height);
     return builder.finish();
 }
@@ -118,7 +118,7 @@ Model makeShank(const PersonSize& size, const PersonColours& colours)
 Model makeShoe(const PersonSize& size, const PersonColours& colours)
 {
     ModelBuilder builder;
-    builder.begin("shoe", kRoadSigns, colours.shoes);
+    builder.begin("shoe", kPlain, colours.shoes);
     addShoe(builder, size, {});
     return builder.finish();
 }

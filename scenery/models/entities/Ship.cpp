@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr double kSmallestShipM = 25.0;
-const Surface kShipPaint{Painting::roadSigns, Coat::lacquered};
+const Surface kShipPaint{Painting::plain, Coat::lacquered};
 constexpr glm::vec3 kWhiteShip(0.90F, 0.90F, 0.88F), kGlassOfShip(0.08F, 0.10F, 0.12F),
     kDeck(0.42F, 0.36F, 0.30F);
 
@@ -87,7 +87,7 @@ void addCargoShip(ModelBuilder& builder, const EntityShape& shape, double deckM)
             {{-0.47 * l, 0.22 * half, deckM, 0.80 * shape.heightM},
              {-0.445 * l, 0.22 * half, deckM, 0.84 * shape.heightM}},
             4.0);
-    builder.begin("mast", kRoadSigns, kWhiteShip);
+    builder.begin("mast", kPlain, kWhiteShip);
     bar(builder, {-0.36 * l, 0.0, 0.84 * shape.heightM}, {-0.36 * l, 0.0, shape.heightM}, 0.002 * l);
     const std::array<glm::vec3, 4> paints{
         {{0.55F, 0.20F, 0.13F}, {0.16F, 0.28F, 0.42F}, {0.30F, 0.40F, 0.28F}, {0.62F, 0.55F, 0.40F}}};
@@ -96,7 +96,7 @@ void addCargoShip(ModelBuilder& builder, const EntityShape& shape, double deckM)
         {
             const auto pick = static_cast<std::size_t>(row * 7 + stack * 3);
             const double x = (-0.29 + 0.112 * row) * l, y = (-0.84 + 0.425 * stack) * half;
-            builder.begin("containers", kRoadSigns, paints[pick % paints.size()]);
+            builder.begin("containers", kPlain, paints[pick % paints.size()]);
             box(builder, {x, y, deckM},
                 {x + 0.102 * l, y + 0.40 * half,
                  deckM + (0.16 + 0.06 * static_cast<double>(pick % 3)) * shape.heightM});
@@ -107,10 +107,10 @@ void addMotorBoat(ModelBuilder& builder, const EntityShape& shape, double deckM)
 {
     const double l = shape.lengthM, half = 0.5 * shape.widthM;
     addDecks(builder, {-0.22 * l, -0.62 * half, deckM}, {0.14 * l, 0.62 * half, 0.82 * shape.heightM}, 1);
-    builder.begin("cockpit", kRoadSigns, kDeck);
+    builder.begin("cockpit", kPlain, kDeck);
     box(builder, {-0.45 * l, -0.65 * half, deckM - 0.02},
         {-0.23 * l, 0.65 * half, deckM + 0.04 * shape.heightM});
-    builder.begin("mast", kRoadSigns, kWhiteShip);
+    builder.begin("mast", kPlain, kWhiteShip);
     bar(builder, {-0.05 * l, 0.0, 0.82 * shape.heightM}, {-0.08 * l, 0.0, shape.heightM}, 0.006 * l);
 }
 

@@ -39,7 +39,7 @@ Model makeBarrier(const EntityShape& shape)
                                              {-thick + 0.6 * slope, 0.4 * h},
                                              {-thick, 0.09 * h}}};
     ModelBuilder builder;
-    builder.begin("barrier", kRoadSigns, {0.62F, 0.61F, 0.59F});
+    builder.begin("barrier", kPlain, {0.62F, 0.61F, 0.59F});
     addPrism(builder, profile.size(),
              [&](std::size_t end, std::size_t point, std::size_t)
              {
@@ -58,10 +58,10 @@ Model makeCrate(const EntityShape& shape)
     const double batten = 0.06 * std::min({shape.lengthM, shape.widthM, shape.heightM});
     const glm::vec3 tint(shape.red, shape.green, shape.blue);
     ModelBuilder builder;
-    builder.begin("box", kRoadSigns, tint);
+    builder.begin("box", kPlain, tint);
     box(builder, {-half.x + batten, -half.y + batten, batten},
         {half.x - batten, half.y - batten, shape.heightM - batten});
-    builder.begin("battens", kRoadSigns, 0.8F * tint);
+    builder.begin("battens", kPlain, 0.8F * tint);
     for (const double x : {-1.0, 1.0})
         for (const double y : {-1.0, 1.0})
         {

@@ -36,9 +36,9 @@ Model makeSpokedWheel(double radiusM, double tyreM, int spokes)
                 {at(radius, i, kArcs), thick * glm::normalize(at(1.0, i, kArcs)), {0.0, thick, 0.0}});
         addLoft(builder, rings, 8);
     };
-    builder.begin("tyre", kRoadSigns, kRubber);
+    builder.begin("tyre", kPlain, kRubber);
     ring(radiusM - tyreM, tyreM);
-    builder.begin("rim", kRoadSigns, kBareMetal);
+    builder.begin("rim", kPlain, kBareMetal);
     ring(radiusM - 1.9 * tyreM, 0.5 * tyreM);
     for (int i = 0; i < spokes; ++i)
         bar(builder, {}, at(radiusM - 2.0 * tyreM, i, spokes), spokes > 8 ? 0.003 : 0.018);

@@ -15,10 +15,10 @@ EntityModel makeWheelchair(const EntityShape& shape)
     colours.jacket = tintOf(shape);
     const glm::dvec3 hip(shape.middleXM - 0.05, 0.0, kSeatM + 0.08);
     ModelBuilder body;
-    body.begin("seat", kRoadSigns, kBlackPaint);
+    body.begin("seat", kPlain, kBlackPaint);
     box(body, {hip.x - 0.22, -0.22, kSeatM - 0.04}, {hip.x + 0.24, 0.22, kSeatM});
     box(body, {hip.x - 0.24, -0.22, kSeatM}, {hip.x - 0.20, 0.22, kSeatM + 0.45});
-    body.begin("frame", kRoadSigns, kBareMetal);
+    body.begin("frame", kPlain, kBareMetal);
     for (const double side : {0.23, -0.23})
     {
         bar(body, {hip.x - 0.22, side, kSeatM + 0.5}, {hip.x - 0.22, side, 0.25}, 0.013);

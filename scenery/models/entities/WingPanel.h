@@ -34,7 +34,7 @@ struct WingPanel
     double fromShare = 0.0, toShare = 1.0;
 };
 
-/// Adds the closed surface of a panel. Precondition: a part with the texture roadSigns has begun.
+/// Adds the closed surface of a panel. Precondition: a part with the texture plain has begun.
 /// Source: Jacobs, Ward & Pinkerton, NACA Report 460, 1933: the thickness distribution of four-digit
 /// aerofoils.
 void addWingPanel(ModelBuilder& builder, const WingPanel& panel);

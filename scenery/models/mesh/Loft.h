@@ -18,7 +18,7 @@ struct LoftRing
 
 /// Adds the surface over rings in order, one plain colour. It is closed when the first and the last ring are
 /// tips.
-/// `sides`: points of a ring, a multiple of 4. Precondition: a part with the texture roadSigns has begun.
+/// `sides`: points of a ring, a multiple of 4. Precondition: a part with the texture plain has begun.
 void addLoft(ModelBuilder& builder, const std::vector<LoftRing>& rings, int sides);
 
 /// Adds a closed body along x of rounded rectangles, with flat ends.

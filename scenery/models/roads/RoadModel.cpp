@@ -15,7 +15,7 @@ void addGreyBox(ModelBuilder& builder, const RoadModel& model)
 {
     const double length = orElse(model.lengthM, 0.5), width = orElse(model.widthM, 0.5),
                  height = orElse(model.heightM, 1.0);
-    builder.begin("box", kRoadSigns, {0.6F, 0.6F, 0.6F});
+    builder.begin("box", kPlain, {0.6F, 0.6F, 0.6F});
     box(builder, {-0.5 * length, -0.5 * width, -model.postDepthM}, {0.5 * length, 0.5 * width, height});
 }
 
@@ -37,7 +37,7 @@ Model makeRoadModel(const RoadModel& model)
         addLights(builder, model);
         break;
     case RoadModelKind::pole:
-        builder.begin("post", kRoadSigns, kZinc);
+        builder.begin("post", kPlain, kZinc);
         bar(builder, {0.0, 0.0, -kPostDepthM}, {0.0, 0.0, orElse(model.heightM, 3.0)},
             orElse(0.5 * model.widthM, kPostRadiusM));
         break;

@@ -10,7 +10,7 @@
 namespace scenery::models
 {
 
-/// The faces of road signs, and the other cells of the texture roadSigns. Speed limits and letters stand in
+/// The faces of road signs, and the other cells of the texture plain. Speed limits and letters stand in
 /// cells of their own. Shapes, colours and meanings: Convention on Road Signs and Signals (Vienna, 1968, with
 /// the amendments of 2006), annex 1.
 enum class SignFace
@@ -71,6 +71,6 @@ constexpr int kSignRows = 8;
 constexpr int kSignCellPx = 128;
 
 /// The surface of all road furniture.
-inline const Surface kRoadSigns{Painting::roadSigns, Coat::matt};
+inline const Surface kPlain{Painting::plain, Coat::matt};
 
 } // namespace scenery::models

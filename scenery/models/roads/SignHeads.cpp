@@ -31,10 +31,10 @@ void post(ModelBuilder& builder, const RoadModel& model, double topM, double thi
 {
     if (model.postDepthM <= 0.0) return;
     const double aside = -model.armM;
-    builder.begin("post", kRoadSigns, kZinc);
+    builder.begin("post", kPlain, kZinc);
     bar(builder, {0.0, aside, -model.postDepthM}, {0.0, aside, topM}, thick);
     if (model.armM == 0.0) return;
-    builder.begin("arm", kRoadSigns, kZinc);
+    builder.begin("arm", kPlain, kZinc);
     bar(builder, {0.0, aside, topM - 0.2}, {0.0, 0.0, topM - 0.1}, 0.8 * thick);
 }
 
@@ -85,7 +85,7 @@ void addSign(ModelBuilder& builder, const RoadModel& model)
         model.number > 0 ? cellOfLimit(model.number, model.face == SignFace::least) : cellOf(model.face);
     plate.back = model.isTwoSided ? plate.front : cellOf(SignFace::back);
     tilt(builder, model);
-    builder.begin("plate", kRoadSigns);
+    builder.begin("plate", kPlain);
     addPlate(builder, plate);
     uprightPost(builder, model, model.raisedM + 0.9 * plate.heightM, postRadiusOf(model));
 }
@@ -104,9 +104,9 @@ void addBoard(ModelBuilder& builder, const RoadModel& model)
     const double back = -postRadiusOf(model), low = model.raisedM;
     const glm::vec3 ground = model.isWhite ? glm::vec3(0.95F, 0.95F, 0.94F) : glm::vec3(0.98F, 0.82F, 0.10F);
     tilt(builder, model);
-    builder.begin("plate", kRoadSigns, ground);
+    builder.begin("plate", kPlain, ground);
     box(builder, {back - 0.03, -0.5 * width, low}, {back, 0.5 * width, low + height});
-    builder.begin("letters", kRoadSigns, ground);
+    builder.begin("letters", kPlain, ground);
     for (std::size_t row = 0; row < lines.size(); ++row)
     {
         const double middle = low + height - (static_cast<double>(row) + 0.5) * rowM;
@@ -132,13 +132,13 @@ void addLights(ModelBuilder& builder, const RoadModel& model)
     const double top = lenses.front().middle.z + 0.5 * kLensStepM,
                  low = lenses.back().middle.z - 0.5 * kLensStepM;
     tilt(builder, model);
-    builder.begin("housing", kRoadSigns, kHousing);
+    builder.begin("housing", kPlain, kHousing);
     box(builder, {kLensX, -0.15, low}, {kLensX + kHeadDepthM, 0.15, top});
-    builder.begin("lenses", kRoadSigns);
+    builder.begin("lenses", kPlain);
     for (const Lens& lens : lenses)
         addPlate(builder, {lens.middle, 2.0 * lens.radiusM, 2.0 * lens.radiusM, 0.015,
                            RoadModel::Shape::round, cellOf(lens.face), cellOf(SignFace::back)});
-    builder.begin("visors", kRoadSigns, kHousing);
+    builder.begin("visors", kPlain, kHousing);
     for (const Lens& lens : lenses)
         box(builder, lens.middle + glm::dvec3(-0.18, -lens.radiusM, lens.radiusM),
             lens.middle + glm::dvec3(0.015, lens.radiusM, lens.radiusM + 0.012));

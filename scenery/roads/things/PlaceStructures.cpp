@@ -90,7 +90,7 @@ void addEdge(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
     edge.profileAt = [](double) { return boxProfile(0.5 * kEdgeWidthM, -kDeckM, kEdgeM); };
     addRoadLine(placed, road, edge, into);
     RoadLine bar = edge;
-    bar.surface = models::kRoadSigns;
+    bar.surface = models::kPlain;
     bar.uvPerM = 0.0;
     bar.tint = {0.50F, 0.52F, 0.53F};
     for (const double high : {0.45, 0.75, kRailM})

@@ -16,7 +16,7 @@ struct RoadLine
 {
     double s = 0.0, sEnd = 0.0;
     double stepM = 4.0; ///< between cross-sections
-    models::Surface surface = models::kRoadSigns;
+    models::Surface surface = models::kPlain;
     glm::vec3 tint{0.6F};
     double uvPerM = 0.0;
     std::function<double(double)> lineT;

@@ -98,7 +98,7 @@ TEST(RoadModel, ThePlateFacesTheDriverThatComes)
 
 TEST(SignAtlas, LimitsOfDifferentSpeedsLookDifferent)
 {
-    const Picture picture = paint(Painting::roadSigns);
+    const Picture picture = paint(Painting::plain);
     EXPECT_GT(differing(picture, cellOfLimit(50, false), cellOfLimit(80, false)), 150);
     EXPECT_GT(differing(picture, cellOfLimit(50, false), cellOfLimit(0, false)), 400);
     EXPECT_EQ(differing(picture, cellOfLimit(50, false), cellOfLimit(50, false)), 0);
@@ -108,7 +108,7 @@ TEST(SignAtlas, LimitsOfDifferentSpeedsLookDifferent)
 
 TEST(SignAtlas, NoTwoFacesAreTheSame)
 {
-    const Picture picture = paint(Painting::roadSigns);
+    const Picture picture = paint(Painting::plain);
     const auto isPlainRing = [](SignFace face)
     { return face == SignFace::noVehicles || face == SignFace::limit; };
     for (int a = 0; a < static_cast<int>(SignFace::least); ++a)
@@ -136,7 +136,7 @@ TEST(RoadBuilding, IsAModelWhicheverWayItsOutlineRuns)
 TEST(Sweep, IsClosed)
 {
     ModelBuilder builder;
-    builder.begin("bar", kRoadSigns);
+    builder.begin("bar", kPlain);
     const std::vector<glm::dvec2> profile{{-0.1, 0.0}, {0.1, 0.0}, {0.1, 1.0}, {-0.1, 1.0}};
     addSweep(builder,
              {{{0, 0, 0}, {0, 1}, profile}, {{4, 0, 0.5}, {0, 1}, profile}, {{8, 1, 0.5}, {0, 1}, profile}});
@@ -234,7 +234,7 @@ TEST(RoadModel, ABoardHasItsLinesBelowEachOther)
 
 TEST(RoadModel, LettersOfOtherAlphabetsThanAsciiAreReadable)
 {
-    const Picture picture = paint(Painting::roadSigns);
+    const Picture picture = paint(Painting::plain);
     const SignCell blank = cellOfGlyph('\xFE'), a = cellOfGlyph('A');
     for (const char letter : {'\xC4', '\xC5', '\xC9', '\xD6', '\xDC', '/', '('})
     {
