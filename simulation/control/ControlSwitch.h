@@ -58,7 +58,7 @@ public:
                 _wishes.assign(inputs.begin(), inputs.end());
                 _automatic->control(view, _wishes);
             }
-            if (hasChanged) _manual.take(inputs, view.step == 0);
+            if (hasChanged) _manual.takeOver(inputs, view.step == 0);
             return _manual.control(view, inputs);
         }
         if (hasChanged) _automatic->resume(view, inputs);

@@ -24,7 +24,7 @@ foundation::Result<ManualController> ManualController::create(std::vector<InputA
     return manual;
 }
 
-void ManualController::take(std::span<const double> inputs, bool isStart)
+void ManualController::takeOver(std::span<const double> inputs, bool isStart)
 {
     for (std::size_t i = 0; i < _states.size(); ++i)
     {

@@ -44,7 +44,7 @@ public:
 
     /// Takes over: every input goes on from where it is. `isStart`: at the first step of all; what was put
     /// before it stays.
-    void take(std::span<const double> inputs, bool isStart = false);
+    void takeOver(std::span<const double> inputs, bool isStart = false);
 
     /// A key is held that moves the axis up (1) or down (-1), or none is (0).
     void hold(std::size_t axis, double direction);

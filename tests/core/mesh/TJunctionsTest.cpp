@@ -126,9 +126,9 @@ TEST(PointTree, FindsAndTakesPoints)
     ASSERT_GT(inside, 20u);
     EXPECT_EQ(countInside(), inside);
     std::uint64_t work = ~0ull;
-    tree.take(touches, work, [&](std::uint32_t p) { return isInside(p) && p % 2 == 0; });
+    tree.extract(touches, work, [&](std::uint32_t p) { return isInside(p) && p % 2 == 0; });
     EXPECT_LT(countInside(), inside);
-    tree.take(touches, work, isInside);
+    tree.extract(touches, work, isInside);
     EXPECT_EQ(countInside(), 0u);
 }
 

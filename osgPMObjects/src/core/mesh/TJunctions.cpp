@@ -128,13 +128,13 @@ public:
         {
             const EdgeProbe probe = probeOf(edge);
             if (!probe.hasLength()) continue;
-            tree.take(probe, work,
-                      [&](std::uint32_t number)
-                      {
-                          const bool isFound = probe.foot(_places[number]).has_value();
-                          if (isFound) count += verticesAt(number).size();
-                          return isFound;
-                      });
+            tree.extract(probe, work,
+                         [&](std::uint32_t number)
+                         {
+                             const bool isFound = probe.foot(_places[number]).has_value();
+                             if (isFound) count += verticesAt(number).size();
+                             return isFound;
+                         });
         }
         return count;
     }

@@ -38,7 +38,7 @@ Result<Raster> painted(const GridReference& grid, const GridRect& rect, double s
     for (const MosaicSource& source : sources)
         if (all || !isFinerThanGrid(source.spacingM, spacingM))
             if (const Outcome added = canvas.add(source, gdal, report); !added) return added.error();
-    return std::move(canvas).take();
+    return std::move(canvas).release();
 }
 
 Result<DensePart> partOf(const MosaicPlan& plan, const PlannedPart& planned,

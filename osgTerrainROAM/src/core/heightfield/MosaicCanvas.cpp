@@ -134,7 +134,7 @@ Outcome MosaicCanvas::add(const MosaicSource& source, GdalSession& gdal, MosaicR
     return foundation::success();
 }
 
-Raster MosaicCanvas::take() &&
+Raster MosaicCanvas::release() &&
 {
     Raster raster;
     raster.columns = _ground.columns();

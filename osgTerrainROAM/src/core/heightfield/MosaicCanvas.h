@@ -50,7 +50,7 @@ public:
     foundation::Outcome add(const MosaicSource& source, GdalSession& gdal, MosaicReport& report);
 
     /// The result: heights, frame, isOutside.
-    Raster take() &&;
+    Raster release() &&;
 
 private:
     enum class Reach : std::uint8_t

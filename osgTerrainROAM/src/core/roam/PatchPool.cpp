@@ -10,7 +10,7 @@ PatchPool::PatchPool(const DiamondTree& tree) : _shape(&PatchShape::of(tree.boun
 {
     _slots.resize(tree.vertexSlots(), kNoSlots);
     for (std::uint32_t arenaSlot = 0; arenaSlot < tree.leaves().slotCount(); ++arenaSlot)
-        if (const TriangleId t = tree.leaves().leaf(arenaSlot); t.exists()) take(tree, t);
+        if (const TriangleId t = tree.leaves().leaf(arenaSlot); t.exists()) assign(tree, t);
 }
 
 /// Releases slots first: of removed vertices, of vertices whose slot in the pool another vertex has taken
@@ -33,10 +33,10 @@ void PatchPool::follow(const DiamondTree& tree)
     }
     for (const std::uint32_t arenaSlot : changes.triangles)
         if (const TriangleId t = tree.leaves().leaf(arenaSlot); t.exists() && slotOf(t) == kNone)
-            take(tree, t);
+            assign(tree, t);
 }
 
-void PatchPool::take(const DiamondTree& tree, TriangleId leaf)
+void PatchPool::assign(const DiamondTree& tree, TriangleId leaf)
 {
     std::uint32_t slot = slotCount();
     if (_freeSlots.empty())

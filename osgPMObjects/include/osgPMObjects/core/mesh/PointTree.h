@@ -36,7 +36,7 @@ public:
 
     /// Does the same and takes the points out of the tree for which `takes(number)` returns true.
     template<class Touches, class Takes>
-    void take(const Touches& touches, std::uint64_t& work, const Takes& takes)
+    void extract(const Touches& touches, std::uint64_t& work, const Takes& takes)
     {
         if (!_nodes.empty()) takeFrom(0, touches, work, takes);
     }

@@ -57,7 +57,7 @@ private:
     using Slots = std::array<std::uint32_t, 4>; ///< of a vertex's quadrants
     static constexpr Slots kNoSlots = {kNone, kNone, kNone, kNone};
 
-    void take(const DiamondTree& tree, TriangleId leaf);
+    void assign(const DiamondTree& tree, TriangleId leaf);
     Patch boundOf(const RoamTile& tile, const GridTriangle& t) const;
     void release(TriangleId t);
 
