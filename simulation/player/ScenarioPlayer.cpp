@@ -67,7 +67,7 @@ public:
     TrafficPlan _traffic; ///< adds entities to the scenario, before anything counts them
     SceneFrame frame;
     FixedClock clock;
-    foundation::Outcome begun = foundation::success(); ///< of the motions that were lent
+    foundation::Outcome begun = foundation::success(); ///< of the attached motions
     std::vector<EntityState> states;
     EnvironmentState environment;
 

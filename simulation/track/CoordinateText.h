@@ -19,8 +19,7 @@ enum class SideOfO
 /// How coordinates of a table are written.
 struct CoordinateStyle
 {
-    bool isDecimalComma = false; ///< in other cells
-    double unitDeg = 1.0;        ///< of a whole number: 1e-7, where the heading says so
+    double unitDeg = 1.0; ///< of a whole number: 1e-7, where the heading says so
     SideOfO sideOfO = SideOfO::unknown;
 };
 

@@ -69,11 +69,9 @@ public:
         for (const std::string_view text : {north, east})
             if (text.find(',') != std::string_view::npos && text.find('.') == std::string_view::npos)
                 _isDecimalComma = true;
-        const CoordinateReading latitude =
-                                    readCoordinate(north, false, {_isDecimalComma, _columns.latitudeUnitDeg}),
-                                longitude = readCoordinate(
-                                    east, true,
-                                    {_isDecimalComma, _columns.longitudeUnitDeg, _columns.sideOfO});
+        const CoordinateReading latitude = readCoordinate(north, false, {_columns.latitudeUnitDeg}),
+                                longitude =
+                                    readCoordinate(east, true, {_columns.longitudeUnitDeg, _columns.sideOfO});
         const auto time =
             _columns.time >= 0 ? timeOf(cell(_columns.time), cell(_columns.date)) : std::optional(0.0);
         const auto height = heightIn(cell(_columns.height), _isDecimalComma, _columns.heightUnitM);

@@ -9,7 +9,7 @@
 #include <foundation/Result.h>
 
 #include "simulation/player/ScenarioPlayer.h"
-#include "simulation/road/ScenarioRoads.h"
+#include "simulation/road/WithoutRoads.h"
 
 namespace trainer
 {
