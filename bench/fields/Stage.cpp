@@ -29,7 +29,7 @@ Stage::Stage(osgOffscreen::OffscreenViewer& viewer, const Request& request)
     : _viewer(viewer),
       _count(viewer.camera(), objectbench::PipelineCount::kVertexShaderInvocations),
       _request(request),
-      _air(new osgTerrainROAM::Atmosphere)
+      _air(new osgSky::Atmosphere)
 {
     viewer.camera().setProjectionMatrixAsPerspective(
         kHighDeg, static_cast<double>(request.picture.widthPx) / request.picture.heightPx, 0.5, 2e4);

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
 
 #include "Request.h"
 #include "objects/PipelineCount.h"
@@ -51,7 +51,7 @@ private:
     osgOffscreen::OffscreenViewer& _viewer;
     objectbench::PipelineCount _count;
     const Request& _request;
-    osg::ref_ptr<osgTerrainROAM::Atmosphere> _air;
+    osg::ref_ptr<osgSky::Atmosphere> _air;
     double _timeS = 0.0; ///< it only increases, because switching between levels needs it
     std::map<std::string, std::vector<osg::ref_ptr<osg::Image>>> _pictures;
 };

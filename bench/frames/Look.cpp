@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
+
 #include <shaders/framebench.h>
 
 namespace framebench
@@ -29,7 +30,7 @@ osg::ref_ptr<osg::Shader> fragmentShader(const TerrainMaterial& material, Look l
     const std::string head = "#version 330 compatibility\n";
     return new osg::Shader(osg::Shader::FRAGMENT,
                            look == Look::relief
-                               ? head + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kReliefMain
+                               ? head + osgSky::Atmosphere::glslFunctions() + shaders::kReliefMain
                                : head + shaders::kDistanceMain);
 }
 

@@ -71,7 +71,7 @@ foundation::Result<std::unique_ptr<Stage>> Stage::open(const osgOffscreen::Offsc
 Stage::Stage(std::unique_ptr<osgOffscreen::OffscreenViewer> viewer, double vertexStepM)
     : _viewer(std::move(viewer)),
       _stepM(vertexStepM),
-      _atmosphere(new osgTerrainROAM::Atmosphere),
+      _atmosphere(new osgSky::Atmosphere),
       _sky(scenery::makeSky())
 {
     osg::StateSet& state = *_root->getOrCreateStateSet();

@@ -5,8 +5,9 @@
 
 #include <glm/glm.hpp>
 
+#include <osgSky/Atmosphere>
+
 #include <osgOffscreen/OffscreenViewer>
-#include <osgTerrainROAM/Atmosphere>
 
 namespace framebench
 {
@@ -49,7 +50,7 @@ private:
 
     std::unique_ptr<osgOffscreen::OffscreenViewer> _viewer;
     const double _stepM;
-    osg::ref_ptr<osgTerrainROAM::Atmosphere> _atmosphere;
+    osg::ref_ptr<osgSky::Atmosphere> _atmosphere;
     osg::ref_ptr<osg::Group> _root = new osg::Group;
     osg::ref_ptr<osg::Group> _dressed = new osg::Group;
     osg::ref_ptr<osg::Node> _sky;

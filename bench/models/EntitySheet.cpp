@@ -144,7 +144,7 @@ void drawOne(const std::filesystem::path& stem, osg::Node& node, const Extent& e
 {
     for (const View& view : viewsOf(extent, headingDeg))
     {
-        const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
+        const osg::ref_ptr<osgSky::Atmosphere> air = new osgSky::Atmosphere;
         const auto picture = pictureOf(onPlain(node, *air), view);
         files.emplace_back(stem.string() + view.name + ".png");
         if (const auto written = osgOffscreen::writePng(*picture, files.back()); written) continue;

@@ -75,7 +75,7 @@ int main(int argc, char** argv)
         {
             // Each picture has a context of its own, so textures and programs are made anew.
             scenery::ModelStates states;
-            const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
+            const osg::ref_ptr<osgSky::Atmosphere> air = new osgSky::Atmosphere;
             const auto picture = pictureOf(onPlain(*scenery::makeModelNode(model, states), *air), view);
             files.push_back(folder / (std::string(facts.name) + "-" + view.name + ".png"));
             if (const auto written = osgOffscreen::writePng(*picture, files.back()); !written)

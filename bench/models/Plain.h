@@ -2,15 +2,14 @@
 #pragma once
 
 #include <osg/Geode>
-
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
 
 #include "scenery/nodes/ModelMesh.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/Sky.h"
 
 /// Puts objects on a green plane with sky and atmosphere.
-inline osg::ref_ptr<osg::Group> onPlain(osg::Node& objects, osgTerrainROAM::Atmosphere& air)
+inline osg::ref_ptr<osg::Group> onPlain(osg::Node& objects, osgSky::Atmosphere& air)
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->setStateSet(air.stateSet());

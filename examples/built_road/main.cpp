@@ -79,8 +79,8 @@ int main(int argc, char** argv)
     osg::Camera& camera = (*viewer)->camera();
     (*viewer)->viewer().setSceneData(&terrain);
     camera.setProjectionMatrixAsPerspective(45.0, 16.0 / 9.0, 0.5, 60000.0);
-    const AtmosphereLight& light = terrain.atmosphere()->light();
-    camera.setClearColor(osg::Vec4(displayColour(light.horizon, light.exposure), 1.0f));
+    const osgSky::AtmosphereLight& light = terrain.atmosphere()->light();
+    camera.setClearColor(osg::Vec4(osgSky::displayColour(light.horizon, light.exposure), 1.0f));
     Photographer photographer(**viewer, argv[2]);
 
     const double lengthM = argc > 3 ? std::atof(argv[3]) : 1500.0;

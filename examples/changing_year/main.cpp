@@ -34,12 +34,12 @@ int failed(const foundation::Error& error)
 foundation::Outcome setMoment(RoamTerrain& terrain, osg::Camera& camera, const Moment& moment)
 {
     if (auto set = terrain.material()->setSeason((moment.month - 0.5) / 12.0); !set) return set;
-    AtmosphereSettings air = terrain.atmosphere()->settings();
-    air.sunDirectionWorld = sunDirectionFromAngles(215.0, moment.sunElevationDeg);
+    osgSky::AtmosphereSettings air = terrain.atmosphere()->settings();
+    air.sunDirectionWorld = osgSky::sunDirectionFromAngles(215.0, moment.sunElevationDeg);
     air.moonlight = 0.7; // lights the ground when the sun has set
     if (auto set = terrain.atmosphere()->setSettings(air); !set) return set;
-    const AtmosphereLight& light = terrain.atmosphere()->light();
-    camera.setClearColor(osg::Vec4(displayColour(light.horizon, light.exposure), 1.0f));
+    const osgSky::AtmosphereLight& light = terrain.atmosphere()->light();
+    camera.setClearColor(osg::Vec4(osgSky::displayColour(light.horizon, light.exposure), 1.0f));
     return foundation::success();
 }
 

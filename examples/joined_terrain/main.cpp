@@ -66,8 +66,8 @@ int main(int argc, char** argv)
     osg::Camera& camera = (*viewer)->camera();
     (*viewer)->viewer().setSceneData(terrain->get());
     camera.setProjectionMatrixAsPerspective(45.0, 16.0 / 9.0, 1.0, 200000.0);
-    const AtmosphereLight& light = (*terrain)->atmosphere()->light();
-    camera.setClearColor(osg::Vec4(displayColour(light.horizon, light.exposure), 1.0f));
+    const osgSky::AtmosphereLight& light = (*terrain)->atmosphere()->light();
+    camera.setClearColor(osg::Vec4(osgSky::displayColour(light.horizon, light.exposure), 1.0f));
     const osg::BoundingSphere all = (*terrain)->getBound();
     const osg::Vec3d middle = all.center();
     const auto take = [&](const char* name, const osg::Vec3d& from)

@@ -52,8 +52,7 @@ int main(int argc, char** argv)
     if (!viewer) return failed(viewer.error());
     (*viewer)->viewer().setSceneData(terrain->get());
     const auto& air = (*terrain)->atmosphere()->light();
-    (*viewer)->camera().setClearColor(
-        osg::Vec4(osgTerrainROAM::displayColour(air.horizon, air.exposure), 1.0f));
+    (*viewer)->camera().setClearColor(osg::Vec4(osgSky::displayColour(air.horizon, air.exposure), 1.0f));
     (*viewer)->camera().setProjectionMatrixAsPerspective(45.0, 960.0 / 540.0, 0.5, 60000.0);
     const osg::Vec3d up(std::sin(heading) * -std::sin(pitch), std::cos(heading) * -std::sin(pitch),
                         std::cos(pitch));

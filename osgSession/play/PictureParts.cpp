@@ -73,7 +73,7 @@ void PictureParts::addParts(PlayScene& scene)
                       }});
     if (scene.cover)
         _parts.push_back({"ground cover", [node = scene.cover->node()](bool isShown)
-                          { node->setNodeMask(isShown ? osgTerrainROAM::SunShadows::kCastsNone : 0U); }});
+                          { node->setNodeMask(isShown ? osgSky::SunShadows::kCastsNone : 0U); }});
     if (scene.skyShade)
         _parts.push_back(
             {"sky shade", [shade = scene.skyShade.get()](bool isShown) { shade->setShown(isShown); }});

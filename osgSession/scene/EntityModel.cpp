@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include <osgTerrainROAM/SunShadows>
+#include <osgSky/SunShadows>
 
 #include "ModelFile.h"
 #include "scenery/nodes/DefaultAircraft.h"
@@ -100,8 +100,8 @@ void EntityModel::show(const simulation::EntityState& state, const Light& light,
     const bool isNear = !light.eye || glm::distance(state.position, *light.eye) < light.mapsReachM;
     const bool castsByMaps = light.mapsReachM > 0.0 && (isNear || !_generated);
     node()->setNodeMask(!state.isVisible || _isHidden ? 0U
-                        : castsByMaps                 ? osgTerrainROAM::SunShadows::kMoves
-                                                      : osgTerrainROAM::SunShadows::kCastsNone);
+                        : castsByMaps                 ? osgSky::SunShadows::kMoves
+                                                      : osgSky::SunShadows::kCastsNone);
     if (!_generated) return _placed->setMatrix(matrixOf(scenery::poseOf(state)));
     simulation::EntityState shown = state;
     if (_flies && !shown.aircraft) shown.aircraft = scenery::defaultAircraftParts(state, light.isDark);

@@ -14,8 +14,8 @@ namespace trainer
 
 ScenarioScene::ScenarioScene()
     : _root(new osg::Group),
-      _atmosphere(new osgTerrainROAM::Atmosphere),
-      _sunlit(new osgTerrainROAM::SunShadows(_atmosphere)),
+      _atmosphere(new osgSky::Atmosphere),
+      _sunlit(new osgSky::SunShadows(_atmosphere)),
       _roadWetness(new osg::Uniform("roadWetness", 0.0F)),
       _beam(*_root->getOrCreateStateSet())
 {
@@ -97,7 +97,7 @@ void ScenarioScene::show(const simulation::ScenarioPlayer& player,
                          const std::vector<simulation::EntityState>& entities)
 {
     const auto& sun = player.environment().sun;
-    const osg::Vec3d towards = osgTerrainROAM::sunDirectionFromAngles(sun.azimuthDeg, sun.elevationDeg);
+    const osg::Vec3d towards = osgSky::sunDirectionFromAngles(sun.azimuthDeg, sun.elevationDeg);
     const EntityModel::Light light{{towards.x(), towards.y(), towards.z()},
                                    isDark(player.environment()),
                                    player.timeS(),
@@ -124,7 +124,7 @@ void ScenarioScene::showWeather(const simulation::EnvironmentState& environment,
     if (const auto& wind = environment.wind; wind && _airfield)
         _airfield->setWind(wind->speedMps *
                            glm::dvec2(std::cos(wind->directionRad), std::sin(wind->directionRad)));
-    osgTerrainROAM::AtmosphereSettings air = airOf(environment);
+    osgSky::AtmosphereSettings air = airOf(environment);
     air.moonlight = _moonlight.value_or(air.moonlight);
     if (const auto set = _atmosphere->setSettings(air); !set)
         osg::notify(osg::WARN) << set.error().message() << std::endl;

@@ -11,9 +11,8 @@
 #include <foundation/Result.h>
 
 #include <osg/Group>
-
-#include <osgTerrainROAM/Atmosphere>
-#include <osgTerrainROAM/SunShadows>
+#include <osgSky/Atmosphere>
+#include <osgSky/SunShadows>
 
 #include "EntityModel.h"
 #include "SceneTerrain.h"
@@ -38,7 +37,7 @@ public:
     osg::Group& root() { return *_root; }
 
     /// What the sun shines on: terrain, entities and scenery. Part of root().
-    osgTerrainROAM::SunShadows& sunlit() { return *_sunlit; }
+    osgSky::SunShadows& sunlit() { return *_sunlit; }
 
     /// Returns one line for each model that differs from the one asked for.
     std::vector<std::string> notes() const;
@@ -97,8 +96,8 @@ private:
                      const std::vector<simulation::EntityState>& entities);
 
     osg::ref_ptr<osg::Group> _root;
-    osg::ref_ptr<osgTerrainROAM::Atmosphere> _atmosphere;
-    osg::ref_ptr<osgTerrainROAM::SunShadows> _sunlit;
+    osg::ref_ptr<osgSky::Atmosphere> _atmosphere;
+    osg::ref_ptr<osgSky::SunShadows> _sunlit;
     osg::ref_ptr<osg::Uniform> _roadWetness;
     scenery::FallingDrops _drops;
     std::optional<std::size_t> _ridden, _lampBearer;

@@ -36,12 +36,12 @@ simulation::Hydrometeors fallingOf(const simulation::EnvironmentState& environme
     return {};
 }
 
-osgTerrainROAM::AtmosphereSettings airOf(const simulation::EnvironmentState& environment)
+osgSky::AtmosphereSettings airOf(const simulation::EnvironmentState& environment)
 {
-    osgTerrainROAM::AtmosphereSettings air;
+    osgSky::AtmosphereSettings air;
     const simulation::Hydrometeors falling = fallingOf(environment);
     air.sunDirectionWorld =
-        osgTerrainROAM::sunDirectionFromAngles(environment.sun.azimuthDeg, environment.sun.elevationDeg);
+        osgSky::sunDirectionFromAngles(environment.sun.azimuthDeg, environment.sun.elevationDeg);
     air.visibilityM = std::max(
         simulation::visibilityM(environment.fogVisualRangeM.value_or(air.visibilityM), falling), 1.0);
     air.cloudCover = cloudCover(environment.cloudState, falling.perM3 > 0.0);

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <osg/Vec3d>
-
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
 
 #include "simulation/environment/Hydrometeors.h"
 #include "simulation/player/EnvironmentState.h"
@@ -17,7 +16,7 @@ simulation::Hydrometeors fallingOf(const simulation::EnvironmentState& environme
 
 /// Sun, clouds, fog, and the haze of what falls. Rain and snow under a sky of which nothing is told come from
 /// a full cover of clouds.
-osgTerrainROAM::AtmosphereSettings airOf(const simulation::EnvironmentState& environment);
+osgSky::AtmosphereSettings airOf(const simulation::EnvironmentState& environment);
 
 /// The wind. Frame: the scene's, which is the scenario's. Units: m/s.
 osg::Vec3d windOf(const simulation::EnvironmentState& environment);

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <osgTerrainROAM/SunShadowSettings>
+#include <osgSky/SunShadowSettings>
 
 namespace trainer
 {
@@ -26,7 +26,7 @@ struct QualityRules
     bool hasSkyShade = true;  ///< whether ground below trees, vehicles and walls gets less light of the sky
     double drawnSide = 1.0;   ///< share of the pixels along each side that are drawn (EnlargedPicture)
     const char* define = nullptr; ///< of the shaders, for cheaper ones; null: none
-    osgTerrainROAM::SunShadowSettings shadows{.movingMaps = 3};
+    osgSky::SunShadowSettings shadows{.movingMaps = 3};
 };
 
 inline QualityRules rulesOf(Quality quality)

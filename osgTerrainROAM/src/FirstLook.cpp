@@ -16,8 +16,8 @@ void setBackground(osg::Camera& camera, const RoamTerrain& terrain)
 {
     const osg::Vec4 untouched(0.2f, 0.2f, 0.4f, 1.0f); // what osgViewer::View sets
     if (!terrain.atmosphere() || camera.getClearColor() != untouched) return;
-    const AtmosphereLight& light = terrain.atmosphere()->light();
-    camera.setClearColor(osg::Vec4(displayColour(light.horizon, light.exposure), 1.0f));
+    const osgSky::AtmosphereLight& light = terrain.atmosphere()->light();
+    camera.setClearColor(osg::Vec4(osgSky::displayColour(light.horizon, light.exposure), 1.0f));
 }
 
 } // namespace

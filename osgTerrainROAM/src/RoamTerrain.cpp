@@ -22,12 +22,12 @@ namespace
 
 [[maybe_unused]] const bool kAreTerrainSerializersRegistered = registerSerializers();
 
-AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
+osgSky::AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
 {
-    AtmosphereSettings settings;
+    osgSky::AtmosphereSettings settings;
     if (description.sunAzimuthDeg)
         settings.sunDirectionWorld =
-            sunDirectionFromAngles(*description.sunAzimuthDeg, *description.sunElevationDeg);
+            osgSky::sunDirectionFromAngles(*description.sunAzimuthDeg, *description.sunElevationDeg);
     settings.visibilityM = description.visibilityM.value_or(settings.visibilityM);
     settings.moonlight = description.moonlight.value_or(settings.moonlight);
     return settings;
@@ -109,7 +109,7 @@ RoamTerrain::RoamTerrain(std::shared_ptr<const core::RoamTile> tile, TerrainMate
 {
     if (_material) _drawable->setStateSet(_material->stateSet());
     addChild(_drawable);
-    setAtmosphere(new Atmosphere);
+    setAtmosphere(new osgSky::Atmosphere);
 }
 
 RoamTerrain::RoamTerrain(const std::shared_ptr<core::RoamTile>& tile, TerrainMaterial* material)
@@ -203,7 +203,7 @@ void RoamTerrain::followEdits()
     _drawable->followEdits(moved);
 }
 
-void RoamTerrain::setAtmosphere(Atmosphere* atmosphere)
+void RoamTerrain::setAtmosphere(osgSky::Atmosphere* atmosphere)
 {
     _atmosphere = atmosphere;
     setStateSet(atmosphere ? atmosphere->stateSet() : nullptr);

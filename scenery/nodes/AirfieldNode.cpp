@@ -10,8 +10,8 @@
 #include <osg/Depth>
 #include <osg/Geode>
 #include <osg/Geometry>
+#include <osgSky/Atmosphere>
 
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
 #include "scenery/nodes/ModelMesh.h"
@@ -167,8 +167,8 @@ osg::ref_ptr<osg::Program> makePapiProgram()
     program->setName("PAPI");
     const std::string version = "#version 130\n";
     program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kPapiVertexMain));
-    program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kGlowMain));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
+                                       version + osgSky::Atmosphere::glslFunctions() + shaders::kGlowMain));
     return program;
 }
 

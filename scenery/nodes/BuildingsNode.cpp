@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include <osgTerrainROAM/SunShadows>
+#include <osgSky/SunShadows>
 
 #include "scenery/buildings/BuildingFacets.h"
 #include "scenery/nodes/FacetNodes.h"
@@ -60,7 +60,7 @@ osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> bui
         if (facets.indices.empty()) return;
         const osg::ref_ptr<osg::Geometry> geometry = geometryOf(facets);
         geometry->setStateSet(states.stateOf({painting, models::Coat::matt}));
-        geometry->setNodeMask(osgTerrainROAM::SunShadows::kCastsNone);
+        geometry->setNodeMask(osgSky::SunShadows::kCastsNone);
         group.addChild(geometry);
     };
     for (const auto& [square, made] : facetsBySquare(buildings, kShellSquareM))

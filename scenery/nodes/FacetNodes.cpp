@@ -3,8 +3,7 @@
 
 #include <osg/LOD>
 #include <osg/MatrixTransform>
-
-#include <osgTerrainROAM/SunShadows>
+#include <osgSky/SunShadows>
 
 #include "scenery/nodes/RangedGroup.h"
 
@@ -24,7 +23,7 @@ struct DrawnInMapsAlone : osg::Drawable::CullCallback
 {
     bool cull(osg::NodeVisitor* visitor, osg::Drawable*, osg::State*) const override
     {
-        return (visitor->getTraversalMask() & osgTerrainROAM::SunShadows::kCastsNone) != 0;
+        return (visitor->getTraversalMask() & osgSky::SunShadows::kCastsNone) != 0;
     }
 };
 

@@ -10,8 +10,8 @@
 #include <osg/Depth>
 #include <osg/Geode>
 #include <osg/Transform>
+#include <osgSky/Atmosphere>
 
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
 #include "scenery/nodes/NoBound.h"
@@ -92,7 +92,7 @@ osg::ref_ptr<osg::Program> makeFallingDropsProgram()
 {
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("falling drops");
-    const std::string head = std::string("#version 130\n") + osgTerrainROAM::Atmosphere::glslFunctions();
+    const std::string head = std::string("#version 130\n") + osgSky::Atmosphere::glslFunctions();
     program->addShader(new osg::Shader(osg::Shader::VERTEX, head + shaders::kDropsVertexMain));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, head + shaders::kDropsMain));
     return program;

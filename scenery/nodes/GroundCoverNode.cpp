@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <osgTerrainROAM/SunShadows>
+#include <osgSky/SunShadows>
 
 #include "scenery/nodes/CoverModels.h"
 
@@ -36,7 +36,7 @@ GroundCoverNode::GroundCoverNode(CoverQuery query, const osgTerrainROAM::Terrain
     : _query(std::move(query)), _root(new osg::Group), _field(new osgPMObjects::ProgressiveField)
 {
     _root->setName("ground cover");
-    _root->setNodeMask(osgTerrainROAM::SunShadows::kCastsNone);
+    _root->setNodeMask(osgSky::SunShadows::kCastsNone);
     _root->addChild(_field);
     for (const auto& shape : coverModels(material))
         for (const double reachM : kCoverReachesM)

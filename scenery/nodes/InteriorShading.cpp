@@ -3,8 +3,9 @@
 
 #include <string>
 
+#include <osgSky/Atmosphere>
+
 #include <osgPMObjects/ObjectShader>
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
 namespace scenery
@@ -44,8 +45,7 @@ osg::Vec2f shareOf(models::InteriorCoat coat)
 
 osg::ref_ptr<osg::Program> makeInteriorProgram()
 {
-    return programOf("interior",
-                     std::string(osgTerrainROAM::Atmosphere::glslFunctions()) + shaders::kInteriorMain);
+    return programOf("interior", std::string(osgSky::Atmosphere::glslFunctions()) + shaders::kInteriorMain);
 }
 
 osg::ref_ptr<osg::Program> makeMirrorProgram()

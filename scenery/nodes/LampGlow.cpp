@@ -8,8 +8,8 @@
 #include <osg/Depth>
 #include <osg/Geode>
 #include <osg/Program>
+#include <osgSky/Atmosphere>
 
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
 #include "scenery/nodes/LampQuads.h"
@@ -65,8 +65,8 @@ osg::ref_ptr<osg::Program> makeLampGlowProgram()
     program->setName("lamp glow");
     const std::string version = "#version 130\n";
     program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kGlowVertexMain));
-    program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kGlowMain));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
+                                       version + osgSky::Atmosphere::glslFunctions() + shaders::kGlowMain));
     return program;
 }
 

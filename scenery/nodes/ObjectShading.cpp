@@ -6,9 +6,9 @@
 #include <osg/BlendFunc>
 #include <osg/Depth>
 #include <osg/Program>
+#include <osgSky/Atmosphere>
 
 #include <osgPMObjects/ObjectShader>
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
 #include "scenery/models/paint/MipChain.h"
@@ -34,10 +34,9 @@ void setObjectShading(osg::Node& node, Finish finish)
     const std::string version = "#version 130\n";
     program->addShader(new osg::Shader(osg::Shader::VERTEX, version + osgPMObjects::glslVertexFunctions() +
                                                                 shaders::kObjectVertexMain));
-    program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT, version + osgPMObjects::glslFragmentFunctions() +
-                                                   osgTerrainROAM::Atmosphere::glslFunctions() +
-                                                   shaders::kObjectFragmentMain));
+    program->addShader(new osg::Shader(
+        osg::Shader::FRAGMENT, version + osgPMObjects::glslFragmentFunctions() +
+                                   osgSky::Atmosphere::glslFunctions() + shaders::kObjectFragmentMain));
     osgPMObjects::bindObjectAttributes(*program);
     osg::StateSet* state = node.getOrCreateStateSet();
     state->setAttributeAndModes(program);

@@ -18,7 +18,7 @@ enum class Finish
 };
 
 /// Lights everything below `node` with the sun and the sky of the atmosphere, and adds the haze of the
-/// terrain (osgTerrainROAM::Atmosphere). Colour: the vertex colours, or the diffuse colour of the material in
+/// terrain (osgSky::Atmosphere). Colour: the vertex colours, or the diffuse colour of the material in
 /// a loaded model without them, as display values, times texture unit 0 if there is one. A state below may
 /// set the uniform `objectTintMask` to 1: then the alpha of the texture is the share of the vertex colour,
 /// and that of the vertex colour the share of the sky that is seen there. It also shades objects of a field

@@ -5,8 +5,8 @@
 
 #include <osg/BlendFunc>
 #include <osg/Depth>
+#include <osgSky/Atmosphere>
 
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
 namespace scenery
@@ -18,9 +18,8 @@ osg::ref_ptr<osg::Program> makeOcclusionProgram(const char* name, const char* fr
     program->setName(name);
     const std::string version = "#version 130\n";
     program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kShadowVertexMain));
-    program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() +
-                                                   shaders::kOcclusion + fragmentMain));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, version + osgSky::Atmosphere::glslFunctions() +
+                                                                  shaders::kOcclusion + fragmentMain));
     return program;
 }
 

@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 
 #include <osg/Geode>
+#include <osgSky/Atmosphere>
 
 #include <osgPMObjects/ObjectShader>
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
 #include "scenery/models/roads/LampArrow.h"
@@ -66,9 +66,8 @@ osg::ref_ptr<osg::Program> makeRoadLampProgram()
     const std::string version = "#version 130\n";
     program->addShader(new osg::Shader(osg::Shader::VERTEX, version + osgPMObjects::glslVertexFunctions() +
                                                                 shaders::kObjectVertexMain));
-    program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT,
-                        version + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kRoadLampMain));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, version + osgSky::Atmosphere::glslFunctions() +
+                                                                  shaders::kRoadLampMain));
     osgPMObjects::bindObjectAttributes(*program);
     return program;
 }

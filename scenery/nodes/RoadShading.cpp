@@ -5,10 +5,10 @@
 
 #include <osg/Geode>
 #include <osg/Program>
+#include <osgSky/Atmosphere>
 
 #include <osgRoads/RoadDrawable>
 #include <osgRoads/RoadShader>
-#include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
 namespace scenery
@@ -27,9 +27,9 @@ osg::ref_ptr<osg::Program> makeProgram()
     program->setName("road");
     program->addShader(new osg::Shader(osg::Shader::VERTEX,
                                        version + osgRoads::glslVertexFunctions() + shaders::kRoadVertexMain));
-    program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, version + osgRoads::glslFragmentFunctions() +
-                                   osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kRoadFragmentMain));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, version + osgRoads::glslFragmentFunctions() +
+                                                                  osgSky::Atmosphere::glslFunctions() +
+                                                                  shaders::kRoadFragmentMain));
     osgRoads::bindRoadAttributes(*program);
     return program;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <sstream>
 
-#include <osgTerrainROAM/SunShadows>
+#include <osgSky/SunShadows>
 
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/ProgressiveModel.h"
@@ -105,7 +105,7 @@ foundation::Result<std::unique_ptr<RoadThingsNode>> RoadThingsNode::create(const
     {
         auto field = fieldOf(std::move(*contents));
         if (!field) return field.error();
-        if (contents == &slender) (*field)->setNodeMask(osgTerrainROAM::SunShadows::kSlender);
+        if (contents == &slender) (*field)->setNodeMask(osgSky::SunShadows::kSlender);
         made->_root->addChild(*field);
         made->_fields.push_back(std::move(*field));
     }

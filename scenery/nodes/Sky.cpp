@@ -7,8 +7,8 @@
 #include <osg/Geode>
 #include <osg/Geometry>
 #include <osg/Program>
+#include <osgSky/Atmosphere>
 
-#include <osgTerrainROAM/Atmosphere>
 #include <osgTraversal/DrawOrder>
 #include <shaders/scenery.h>
 
@@ -47,9 +47,9 @@ osg::ref_ptr<osg::Node> makeSky()
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("sky");
     program->addShader(new osg::Shader(osg::Shader::VERTEX, shaders::kSkyVert));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
-                                       std::string("#version 130\n") +
-                                           osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kSkyMain));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, std::string("#version 130\n") +
+                                                                  osgSky::Atmosphere::glslFunctions() +
+                                                                  shaders::kSkyMain));
     osg::StateSet* state = sky->getOrCreateStateSet();
     state->setAttributeAndModes(program);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 1.0, 1.0, false));

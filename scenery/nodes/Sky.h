@@ -2,8 +2,7 @@
 #pragma once
 
 #include <osg/Node>
-
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
 
 namespace scenery
 {

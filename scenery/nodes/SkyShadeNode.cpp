@@ -5,8 +5,8 @@
 
 #include <osg/Geode>
 #include <osg/Program>
+#include <osgSky/SunShadows>
 
-#include <osgTerrainROAM/SunShadows>
 #include <shaders/scenery.h>
 
 #include "scenery/nodes/OcclusionProgram.h"
@@ -116,7 +116,7 @@ void SkyShadeNode::gather(const glm::dvec3& eye)
             }
         }
     _patches = std::move(near);
-    _placed->setNodeMask(triangles->empty() ? 0U : osgTerrainROAM::SunShadows::kCastsNone);
+    _placed->setNodeMask(triangles->empty() ? 0U : osgSky::SunShadows::kCastsNone);
     _placed->setMatrix(osg::Matrixd::translate(eye.x, eye.y, eye.z));
     _geometry->setVertexArray(places);
     _geometry->setTexCoordArray(0, hidden, osg::Array::BIND_PER_VERTEX);

@@ -15,6 +15,8 @@ function(plantTree)
             "osgTerrainROAM/src/Cull.cpp|osgTraversal/CullFacts"
             "osgTraversal/include/osgTraversal/CullFacts|osg/Camera"
             "osgTraversal/src/CullFacts.cpp|viewlod/Frustum.h"
+            "osgSky/include/osgSky/Atmosphere|osg/Light"
+            "osgSky/src/SunShadows.cpp|osgTraversal/CullFacts"
             "osgPMObjects/include/osgPMObjects/core/Mesh.h|viewlod/Frustum.h"
             "osgPMObjects/include/osgPMObjects/Object|osg/Drawable"
             "osgRoads/include/osgRoads/core/Road.h|foundation/Result.h"
@@ -115,6 +117,8 @@ expectBreach(osgTerrainROAM/src/Terrain.cpp "#include <osgMultiTriangulation/MtD
 expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/Object>")
 expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/core/Mesh.h>")
 expectBreach(osgTraversal/src/CullFacts.cpp "#include <osgTerrainROAM/Terrain>")
+expectBreach(osgSky/src/SunShadows.cpp "#include <osgTerrainROAM/Terrain>")
+expectBreach(osgTraversal/src/CullFacts.cpp "#include <osgSky/Atmosphere>")
 expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTraversal/CullFacts>")
 expectBreach(osgPMObjects/include/osgPMObjects/core/Mesh.h "#include <osgTraversal/CullFacts>")
 expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgTraversal/NotThere>")

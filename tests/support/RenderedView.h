@@ -5,9 +5,9 @@
 
 #include <osg/Geode>
 #include <osg/Group>
+#include <osgSky/Atmosphere>
 
 #include <osgOffscreen/OffscreenViewer>
-#include <osgTerrainROAM/Atmosphere>
 
 #include "scenery/nodes/ModelMesh.h"
 #include "scenery/nodes/ObjectShading.h"
@@ -20,8 +20,8 @@ namespace rendered
 /// Sky and a flat grey ground, in an atmosphere; add what else is to be seen.
 struct ViewScene
 {
-    explicit ViewScene(const osgTerrainROAM::AtmosphereSettings& air = {})
-        : atmosphere(new osgTerrainROAM::Atmosphere(air)), root(new osg::Group)
+    explicit ViewScene(const osgSky::AtmosphereSettings& air = {})
+        : atmosphere(new osgSky::Atmosphere(air)), root(new osg::Group)
     {
         root->setStateSet(atmosphere->stateSet());
         root->addChild(scenery::makeSky());
@@ -33,7 +33,7 @@ struct ViewScene
         root->addChild(ground);
     }
 
-    osg::ref_ptr<osgTerrainROAM::Atmosphere> atmosphere;
+    osg::ref_ptr<osgSky::Atmosphere> atmosphere;
     osg::ref_ptr<osg::Group> root;
 };
 

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../MixedColour.h"
+#include <osgSky/MixedColour>
 
 namespace osgTerrainROAM
 {
 
 namespace
 {
+
+using osgSky::mixed;
 
 /// One month in temperate latitudes.
 struct Month

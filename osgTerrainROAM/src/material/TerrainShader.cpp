@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
+
 #include <shaders/osgTerrainROAM.h>
 
 #include "RepeatedLayers.h"
@@ -50,7 +51,7 @@ std::string featureFunctions(bool listed, bool far)
 std::string groundText(const TerrainLook& look)
 {
     std::string text = "#version 330 compatibility\n" + definesOf(look);
-    text += Atmosphere::glslFunctions();
+    text += osgSky::Atmosphere::glslFunctions();
     text += shaders::kTerrainInputs;
     text += shaders::kGrain;
     if (look.sheets > 0) text += sheetNormalsText(look.sheets);

@@ -81,10 +81,11 @@ struct TerrainSerializer
     }
     static bool readAtmosphere(osgDB::InputStream& in, RoamTerrain& terrain)
     {
-        const osg::ref_ptr<Atmosphere> atmosphere = new Atmosphere;
+        const osg::ref_ptr<osgSky::Atmosphere> atmosphere = new osgSky::Atmosphere;
         terrain.setAtmosphere(atmosphere);
-        return osgTraversal::readSettings<AtmosphereSettings>(in, [&](const AtmosphereSettings& settings)
-                                                              { return atmosphere->setSettings(settings); });
+        return osgTraversal::readSettings<osgSky::AtmosphereSettings>(
+            in,
+            [&](const osgSky::AtmosphereSettings& settings) { return atmosphere->setSettings(settings); });
     }
 };
 

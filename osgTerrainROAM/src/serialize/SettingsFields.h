@@ -6,9 +6,10 @@
 #include <string_view>
 #include <type_traits>
 
+#include <osgSky/Atmosphere>
+
 #include <viewlod/Budget.h>
 
-#include <osgTerrainROAM/Atmosphere>
 #include <osgTerrainROAM/RoamDrawableSettings>
 #include <osgTerrainROAM/RoamTechnique>
 
@@ -37,6 +38,24 @@ constexpr auto sceneFileNames(Method)
 
 } // namespace osgTerrainROAM::core
 
+namespace osgSky
+{
+
+/// Calls visit(name, field) for every field of the settings: the same for writing and reading.
+template<class Visit>
+void visitFields(auto& settings, Visit& visit)
+{
+    visit("sunDirectionWorld", settings.sunDirectionWorld);
+    visit("visibilityM", settings.visibilityM);
+    visit("hazeBaseM", settings.hazeBaseM);
+    visit("sunIntensity", settings.sunIntensity);
+    visit("cloudCover", settings.cloudCover);
+    visit("moonlight", settings.moonlight);
+    visit("fogColour", settings.fogColour);
+}
+
+} // namespace osgSky
+
 namespace osgTerrainROAM
 {
 
@@ -45,22 +64,9 @@ template<class Visit>
 void visitFields(auto& settings, Visit& visit)
 {
     using Settings = std::remove_cvref_t<decltype(settings)>;
-    if constexpr (std::is_same_v<Settings, AtmosphereSettings>)
-    {
-        visit("sunDirectionWorld", settings.sunDirectionWorld);
-        visit("visibilityM", settings.visibilityM);
-        visit("hazeBaseM", settings.hazeBaseM);
-        visit("sunIntensity", settings.sunIntensity);
-        visit("cloudCover", settings.cloudCover);
-        visit("moonlight", settings.moonlight);
-        visit("fogColour", settings.fogColour);
-    }
-    else
-    {
-        visit("errorTolerancePx", settings.errorTolerancePx);
-        visit("maxTriangles", settings.maxTriangles);
-        visit("morphing", settings.morphing);
-    }
+    visit("errorTolerancePx", settings.errorTolerancePx);
+    visit("maxTriangles", settings.maxTriangles);
+    visit("morphing", settings.morphing);
     if constexpr (std::is_same_v<Settings, RoamDrawableSettings>)
     {
         visit("method", settings.method);

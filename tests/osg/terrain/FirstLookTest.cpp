@@ -69,8 +69,8 @@ TEST(FirstLook, IsTheSameByApiAndByPlugin)
     const osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(file.string() + ".roam");
     ASSERT_TRUE(read);
     const Look byApi = firstLookAt(*opened), byPlugin = firstLookAt(read);
-    const osgTerrainROAM::AtmosphereLight& light = (*opened)->atmosphere()->light();
-    const osg::Vec3f horizon = osgTerrainROAM::displayColour(light.horizon, light.exposure);
+    const osgSky::AtmosphereLight& light = (*opened)->atmosphere()->light();
+    const osg::Vec3f horizon = osgSky::displayColour(light.horizon, light.exposure);
     EXPECT_EQ(byApi.background, osg::Vec4(horizon, 1.0f));
     EXPECT_EQ(byApi.background, byPlugin.background);
     EXPECT_EQ(byApi.eye, byPlugin.eye);

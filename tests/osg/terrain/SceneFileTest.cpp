@@ -58,7 +58,7 @@ TEST_P(SceneFile, StoresTheFileTheSettingsAndTheAtmosphere)
     const RoamDrawableSettings settings{
         .errorTolerancePx = 1.0 / 3.0, .maxTriangles = 7777, .morphing = true, .patchExponent = 2};
     ASSERT_TRUE(terrain->setSettings(settings));
-    osgTerrainROAM::AtmosphereSettings air = terrain->atmosphere()->settings();
+    osgSky::AtmosphereSettings air = terrain->atmosphere()->settings();
     air.cloudCover = 0.1;
     air.fogColour = osg::Vec3f(0.1f, 0.2f, 0.3f);
     ASSERT_TRUE(terrain->atmosphere()->setSettings(air));

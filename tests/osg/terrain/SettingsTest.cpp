@@ -1,45 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values out of range are refused, by name, and change nothing.
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/RoamTerrain>
 
+#include "RefusedSettings.h"
 #include "SyntheticField.h"
 
 namespace
 {
 
-using osgTerrainROAM::Atmosphere;
-using osgTerrainROAM::AtmosphereSettings;
 using osgTerrainROAM::ImageryLayer;
 using osgTerrainROAM::RoamDrawable;
 using osgTerrainROAM::RoamDrawableSettings;
 using osgTerrainROAM::RoamTerrain;
 using osgTerrainROAM::TerrainMaterial;
-
-const double kNaN = std::nan("");
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Each wrong value of one field has to be refused at "Owner.field".
-template<class Settings, class Value>
-void expectRefused(const Settings& good, Value Settings::*field, const std::string& place,
-                   std::initializer_list<Value> wrong)
-{
-    EXPECT_TRUE(checkSettings(good)) << place;
-    for (const Value& value : wrong)
-    {
-        Settings settings = good;
-        settings.*field = value;
-        const auto checked = checkSettings(settings);
-        ASSERT_FALSE(checked) << place;
-        EXPECT_EQ(checked.error().place, place);
-        EXPECT_NE(checked.error().remedy.find("give "), std::string::npos);
-    }
-}
+using testsupport::expectRefused;
+using testsupport::kInfinity;
+using testsupport::kNaN;
 
 TEST(RoamTerrainEditor, IsHandedOutWhileTheMethodFollowsEdits)
 {
@@ -107,36 +87,6 @@ TEST(RoamDrawableSettings, ACopyHasThemToo)
     ASSERT_TRUE(drawable->setSettings(settings));
     const osg::ref_ptr<RoamDrawable> copy = new RoamDrawable(*drawable);
     EXPECT_EQ(copy->settings(), settings);
-}
-
-TEST(AtmosphereSettings, RefusesWhatIsNoNumberOrOutOfRange)
-{
-    using S = AtmosphereSettings;
-    const S good;
-    expectRefused(good, &S::sunDirectionWorld, "Atmosphere.sunDirectionWorld",
-                  {osg::Vec3d(), osg::Vec3d(kNaN, 0.0, 1.0), osg::Vec3d(0.0, kInfinity, 0.0)});
-    expectRefused(good, &S::visibilityM, "Atmosphere.visibilityM", {kNaN, kInfinity, 0.0, -5.0});
-    expectRefused(good, &S::hazeBaseM, "Atmosphere.hazeBaseM", {kNaN, kInfinity});
-    expectRefused(good, &S::sunIntensity, "Atmosphere.sunIntensity", {kNaN, kInfinity, -1.0});
-    expectRefused(good, &S::cloudCover, "Atmosphere.cloudCover", {kNaN, -0.1, 1.1});
-    expectRefused(good, &S::moonlight, "Atmosphere.moonlight", {kNaN, -0.1, 1.1});
-    expectRefused<S, std::optional<osg::Vec3f>>(
-        good, &S::fogColour, "Atmosphere.fogColour",
-        {osg::Vec3f(std::nanf(""), 0.0f, 0.0f), osg::Vec3f(0.0f, -1.0f, 2.0f)});
-}
-
-TEST(AtmosphereSettings, ARefusedValueChangesNothing)
-{
-    const osg::ref_ptr<Atmosphere> air = new Atmosphere;
-    AtmosphereSettings foggy;
-    foggy.visibilityM = 300.0;
-    ASSERT_TRUE(air->setSettings(foggy));
-    const osg::Vec3f extinction = air->light().extinction;
-    EXPECT_FALSE(air->setSettings({.visibilityM = kNaN}));
-    EXPECT_EQ(air->settings(), foggy);
-    EXPECT_EQ(air->light().extinction, extinction);
-    const osg::ref_ptr<Atmosphere> made = new Atmosphere({.visibilityM = kNaN});
-    EXPECT_EQ(made->settings(), AtmosphereSettings()) << "a refused start leaves the default";
 }
 
 TEST(TerrainMaterialSettings, RefusesSeasonsOutsideAYearAndImageryThatCannotBeLaid)

@@ -13,10 +13,10 @@ using scenery::models::EntityLamp;
 
 constexpr int kPx = 80;
 
-osgTerrainROAM::AtmosphereSettings nightAir()
+osgSky::AtmosphereSettings nightAir()
 {
-    osgTerrainROAM::AtmosphereSettings air;
-    air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(0.0, -30.0);
+    osgSky::AtmosphereSettings air;
+    air.sunDirectionWorld = osgSky::sunDirectionFromAngles(0.0, -30.0);
     return air;
 }
 

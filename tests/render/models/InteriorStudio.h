@@ -29,7 +29,7 @@ class InteriorStudio
 {
 public:
     InteriorStudio(scenery::models::EntityKind kind, const glm::dvec3& eye, int width, int height,
-                   const osgTerrainROAM::AtmosphereSettings& air = {})
+                   const osgSky::AtmosphereSettings& air = {})
         : scene(air), interior(interiorOf(kind, eye)), widePx(width), highPx(height)
     {
         scene.root->addChild(interior.node());

@@ -72,10 +72,10 @@ public:
     }
 
 private:
-    static osgTerrainROAM::AtmosphereSettings airAt(double sunDeg)
+    static osgSky::AtmosphereSettings airAt(double sunDeg)
     {
-        osgTerrainROAM::AtmosphereSettings air;
-        air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(120.0, sunDeg);
+        osgSky::AtmosphereSettings air;
+        air.sunDirectionWorld = osgSky::sunDirectionFromAngles(120.0, sunDeg);
         return air;
     }
 

@@ -2,7 +2,7 @@
 // The state of a traffic light is seen in its picture.
 #include <gtest/gtest.h>
 
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
 
 #include "RenderedPicture.h"
 #include "scenery/nodes/RoadThingsNode.h"
@@ -67,7 +67,7 @@ protected:
         auto made = scenery::RoadThingsNode::create(twoLights(arrow));
         ASSERT_TRUE(made) << made.error().message();
         _things = std::move(*made);
-        const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
+        const osg::ref_ptr<osgSky::Atmosphere> air = new osgSky::Atmosphere;
         const osg::ref_ptr<osg::Group> root = new osg::Group;
         root->setStateSet(air->stateSet());
         root->addChild(_things->node());

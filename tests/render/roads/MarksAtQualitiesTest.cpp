@@ -7,10 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <osg/Group>
+#include <osgSky/Atmosphere>
 
 #include <osgRoads/core/surface/BuildRoadMesh.h>
-
-#include <osgTerrainROAM/Atmosphere>
 
 #include "RenderedPicture.h"
 #include "RoadTexts.h"
@@ -65,7 +64,7 @@ std::shared_ptr<const osgRoads::core::RoadMesh> roadWithout(const std::string& l
 /// Mean levels of the boxes of all marks, by name, in a picture of a quality from 16 m above.
 std::map<std::string, double> levelsOf(trainer::Quality quality, const std::string& left)
 {
-    const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
+    const osg::ref_ptr<osgSky::Atmosphere> air = new osgSky::Atmosphere;
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->setStateSet(air->stateSet());
     scene->addChild(scenery::makeRoadNode(roadWithout(left)));

@@ -139,8 +139,8 @@ TEST(NightPaint, ARunwayHasLightsOnlyAtNight)
         plain({line(core::FeatureKind::runway, 45.0, {20000.0, 19000.0}, {20000.0, 21000.0})});
     const auto brightPixels = [&](double sunElevationDeg, double moonlight)
     {
-        AtmosphereSettings settings = terrain->atmosphere()->settings();
-        settings.sunDirectionWorld = sunDirectionFromAngles(200.0, sunElevationDeg);
+        osgSky::AtmosphereSettings settings = terrain->atmosphere()->settings();
+        settings.sunDirectionWorld = osgSky::sunDirectionFromAngles(200.0, sunElevationDeg);
         settings.moonlight = moonlight;
         EXPECT_TRUE(terrain->atmosphere()->setSettings(settings));
         Camera camera(terrain);
@@ -171,8 +171,8 @@ TEST(NightPaint, ATownIsLit)
 {
     const auto terrain = plain({});
     terrain->material()->setCover(halves(GroundKind::urban, GroundKind::forest));
-    AtmosphereSettings settings = terrain->atmosphere()->settings();
-    settings.sunDirectionWorld = sunDirectionFromAngles(200.0, -14.0);
+    osgSky::AtmosphereSettings settings = terrain->atmosphere()->settings();
+    settings.sunDirectionWorld = osgSky::sunDirectionFromAngles(200.0, -14.0);
     EXPECT_TRUE(terrain->atmosphere()->setSettings(settings));
     const auto picture = fromAbove(terrain);
     EXPECT_GT(meanOf(*picture, 0, 200).x(), 2.0 * meanOf(*picture, 280, kWidthPx).x() + 3.0);

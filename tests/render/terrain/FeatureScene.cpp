@@ -33,10 +33,10 @@ osg::ref_ptr<RoamTerrain> plain(const std::vector<core::GroundFeature>& features
         if (cells) material->setFeatures(*cells);
     }
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material);
-    AtmosphereSettings settings;
-    settings.sunDirectionWorld = sunDirectionFromAngles(200.0, 60.0);
+    osgSky::AtmosphereSettings settings;
+    settings.sunDirectionWorld = osgSky::sunDirectionFromAngles(200.0, 60.0);
     settings.visibilityM = 100000.0;
-    terrain->setAtmosphere(new Atmosphere(settings));
+    terrain->setAtmosphere(new osgSky::Atmosphere(settings));
     return terrain;
 }
 

@@ -28,8 +28,8 @@ core::GroundFeature field(core::Crop crop)
 osg::ref_ptr<osg::Image> litFrom(double azimuthDeg, core::Crop crop, double heightM)
 {
     const auto terrain = plain({field(crop)});
-    AtmosphereSettings settings = terrain->atmosphere()->settings();
-    settings.sunDirectionWorld = sunDirectionFromAngles(azimuthDeg, 35.0);
+    osgSky::AtmosphereSettings settings = terrain->atmosphere()->settings();
+    settings.sunDirectionWorld = osgSky::sunDirectionFromAngles(azimuthDeg, 35.0);
     EXPECT_TRUE(terrain->atmosphere()->setSettings(settings));
     Camera camera(terrain);
     return camera.picture({1000.0, 20000.0, heightM}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0});

@@ -50,7 +50,7 @@ double lightOf(double shown, double exposure)
 /// What a description of the light says that white level ground sends back.
 osg::Vec3d levelLight(const RoamTerrain& terrain)
 {
-    const AtmosphereLight& light = terrain.atmosphere()->light();
+    const osgSky::AtmosphereLight& light = terrain.atmosphere()->light();
     osg::Vec3d sun = terrain.atmosphere()->settings().sunDirectionWorld;
     sun.normalize();
     return osg::Vec3d(light.sun) * sun.z() + osg::Vec3d(light.sky);
@@ -61,9 +61,9 @@ osg::Vec3d reflectance(const osg::ref_ptr<RoamTerrain>& terrain)
 {
     Camera camera(terrain);
     const auto picture = camera.picture({20000.0, 20000.0, 30.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0});
-    const double exposure = exposureOf(0.30F * static_cast<float>(levelLight(*terrain).x()) +
-                                       0.59F * static_cast<float>(levelLight(*terrain).y()) +
-                                       0.11F * static_cast<float>(levelLight(*terrain).z()));
+    const double exposure = osgSky::exposureOf(0.30F * static_cast<float>(levelLight(*terrain).x()) +
+                                               0.59F * static_cast<float>(levelLight(*terrain).y()) +
+                                               0.11F * static_cast<float>(levelLight(*terrain).z()));
     osg::Vec3d sum;
     for (int y = 0; y < kHeightPx; ++y)
         for (int x = 0; x < kWidthPx; ++x)
@@ -188,7 +188,7 @@ TEST(SunlitGround, AShadowIsBlueAndASlopeInTheSunIsWarm)
     // The same light that all shaders use: on level ground at noon it is white, without the sun blue, without
     // the sky warm.
     const auto terrain = plain({});
-    const AtmosphereLight& light = terrain->atmosphere()->light();
+    const osgSky::AtmosphereLight& light = terrain->atmosphere()->light();
     const osg::Vec3d level = levelLight(*terrain);
     EXPECT_NEAR(level.x() / level.y(), 1.0, 0.05);
     EXPECT_NEAR(level.z() / level.y(), 1.0, 0.05);

@@ -84,10 +84,10 @@ osg::ref_ptr<RoamTerrain> withMaterial(const std::shared_ptr<Tile>& tile, double
         new TerrainMaterial(tile->tile, climateOf(tile->tile, land));
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material);
     EXPECT_TRUE(terrain->drawable()->setErrorTolerancePx(tolerancePx));
-    AtmosphereSettings settings;
-    settings.sunDirectionWorld = sunDirectionFromAngles(235.0, 40.0);
+    osgSky::AtmosphereSettings settings;
+    settings.sunDirectionWorld = osgSky::sunDirectionFromAngles(235.0, 40.0);
     settings.visibilityM = 30000.0;
-    terrain->setAtmosphere(new Atmosphere(settings));
+    terrain->setAtmosphere(new osgSky::Atmosphere(settings));
     return terrain;
 }
 

@@ -132,7 +132,7 @@ TEST(TerrainGolden, TwentyPercentMoreHazeIsCaught)
     expectNoneMatches(
         [](RoamTerrain& terrain)
         {
-            AtmosphereSettings settings = terrain.atmosphere()->settings();
+            osgSky::AtmosphereSettings settings = terrain.atmosphere()->settings();
             settings.visibilityM /= 1.2;
             ASSERT_TRUE(terrain.atmosphere()->setSettings(settings));
         });

@@ -14,7 +14,7 @@ namespace
 osg::ref_ptr<osg::Image> groundWith(const simulation::Hydrometeors& falling, double timeS,
                                     const glm::dvec3& eye, const osg::Vec3d& eyeVelocity = {})
 {
-    osgTerrainROAM::AtmosphereSettings air;
+    osgSky::AtmosphereSettings air;
     air.cloudCover = 1.0;
     const rendered::ViewScene scene(air);
     scenery::FallingDrops drops;

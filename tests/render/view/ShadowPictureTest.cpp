@@ -26,8 +26,8 @@ Darkened darkenedFrom(const glm::dvec3& eye, double groundM)
     settings.samples = 1;
     const auto pictureWith = [&](bool hasShadow)
     {
-        osgTerrainROAM::AtmosphereSettings air;
-        air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(90.0, kSunDeg);
+        osgSky::AtmosphereSettings air;
+        air.sunDirectionWorld = osgSky::sunDirectionFromAngles(90.0, kSunDeg);
         const rendered::ViewScene scene(air);
         DefaultCar car;
         const double radians = glm::radians(kSunDeg);

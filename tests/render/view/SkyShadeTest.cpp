@@ -24,8 +24,8 @@ class FromAbove
 public:
     FromAbove(double sunDeg, bool isShown, double groundM = 0.0)
     {
-        osgTerrainROAM::AtmosphereSettings air;
-        air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(180.0, sunDeg);
+        osgSky::AtmosphereSettings air;
+        air.sunDirectionWorld = osgSky::sunDirectionFromAngles(180.0, sunDeg);
         const rendered::ViewScene scene(air);
         scenery::SkyShadeNode shade(wallAndCrown(),
                                     [=](const glm::dvec2&) { return std::optional<double>(groundM); });

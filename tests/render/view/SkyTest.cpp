@@ -6,8 +6,8 @@
 
 #include "RenderedView.h"
 
-using osgTerrainROAM::AtmosphereSettings;
-using osgTerrainROAM::sunDirectionFromAngles;
+using osgSky::AtmosphereSettings;
+using osgSky::sunDirectionFromAngles;
 
 namespace
 {

@@ -9,8 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <osg/Texture2D>
-
-#include <osgTerrainROAM/SunShadows>
+#include <osgSky/SunShadows>
 
 #include "RenderedView.h"
 
@@ -54,14 +53,13 @@ class Picture
 {
 public:
     Picture(double sunDeg, const glm::dvec3& eye, const glm::dvec3& at, bool hasShadows = true,
-            const osgTerrainROAM::SunShadowSettings& maps = {}, unsigned int postMask = ~0U,
+            const osgSky::SunShadowSettings& maps = {}, unsigned int postMask = ~0U,
             const osg::ref_ptr<osg::Geode>& caster = post())
     {
-        osgTerrainROAM::AtmosphereSettings air;
-        air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(90.0, sunDeg);
+        osgSky::AtmosphereSettings air;
+        air.sunDirectionWorld = osgSky::sunDirectionFromAngles(90.0, sunDeg);
         const rendered::ViewScene scene(air);
-        const osg::ref_ptr<osgTerrainROAM::SunShadows> sunlit =
-            new osgTerrainROAM::SunShadows(scene.atmosphere, maps);
+        const osg::ref_ptr<osgSky::SunShadows> sunlit = new osgSky::SunShadows(scene.atmosphere, maps);
         sunlit->setShown(hasShadows);
         const osg::ref_ptr<osg::Node> ground = scene.root->getChild(1);
         scene.root->removeChild(ground);
@@ -167,12 +165,13 @@ TEST(SunShadowMaps, LeavesCastTheShadowOfWhatIsSeenOfThem)
 
 TEST(SunShadowMaps, WhatMovesIsInTheNearestMapsAlone)
 {
-    using osgTerrainROAM::SunShadows;
-    osgTerrainROAM::SunShadowSettings maps;
+    using osgSky::SunShadows;
+    osgSky::SunShadowSettings maps;
     maps.cellShare = 0.125;
     maps.movingMaps = 1;
-    EXPECT_TRUE(Picture(50.0, kEye, kAt, true, maps, SunShadows::kMoves).shadowEnd()) << "near, it casts one";
+    EXPECT_TRUE(Picture(50.0, kEye, kAt, true, maps, osgSky::SunShadows::kMoves).shadowEnd())
+        << "near, it casts one";
     maps.movingMaps = 0;
-    EXPECT_FALSE(Picture(50.0, kEye, kAt, true, maps, SunShadows::kMoves).shadowEnd());
+    EXPECT_FALSE(Picture(50.0, kEye, kAt, true, maps, osgSky::SunShadows::kMoves).shadowEnd());
     EXPECT_TRUE(Picture(50.0, kEye, kAt, true, maps).shadowEnd()) << "what stands casts into all";
 }

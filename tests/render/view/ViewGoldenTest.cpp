@@ -104,8 +104,8 @@ glm::dvec3 glowSeen(const glm::dvec3& eye, double sunElevationDeg)
 {
     const auto pictureWith = [&](bool isLit)
     {
-        osgTerrainROAM::AtmosphereSettings air;
-        air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(180.0, sunElevationDeg);
+        osgSky::AtmosphereSettings air;
+        air.sunDirectionWorld = osgSky::sunDirectionFromAngles(180.0, sunElevationDeg);
         const rendered::ViewScene scene(air);
         scenery::models::EntityShape shape;
         shape.kind = scenery::models::EntityKind::lightAircraft;

@@ -5,9 +5,9 @@
 #include <osg/Geode>
 #include <osgDB/Options>
 #include <osgDB/WriteFile>
+#include <osgSky/Atmosphere>
 
 #include <osgOffscreen/OffscreenViewer>
-#include <osgTerrainROAM/Atmosphere>
 #include <osgTerrainROAM/Climate>
 #include <osgTerrainROAM/RoamDrawable>
 #include <osgTerrainROAM/TerrainMaterial>
@@ -120,7 +120,7 @@ public:
 private:
     osg::ref_ptr<osg::Group> sceneOf(const RoamTile& tile, osg::Drawable* ground)
     {
-        const osg::ref_ptr<osgTerrainROAM::Atmosphere> atmosphere = new osgTerrainROAM::Atmosphere;
+        const osg::ref_ptr<osgSky::Atmosphere> atmosphere = new osgSky::Atmosphere;
         const osg::ref_ptr<osgTerrainROAM::TerrainMaterial> material =
             new osgTerrainROAM::TerrainMaterial(tile.tile, osgTerrainROAM::climateOf(tile.tile, {}));
         const osg::ref_ptr<osg::Group> scene = new osg::Group;

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
 
-namespace osgTerrainROAM
+namespace osgSky
 {
 
 namespace
@@ -40,4 +40,4 @@ osg::Vec3f displayColour(const osg::Vec3f& linear, float exposure)
     return {channel(linear.x()), channel(linear.y()), channel(linear.z())};
 }
 
-} // namespace osgTerrainROAM
+} // namespace osgSky

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace osgTerrainROAM
+namespace osgSky
 {
 
 namespace
@@ -44,4 +44,4 @@ osg::Vec3f sunThroughAir(double elevationDeg, const osg::Vec3f& haze)
     return share;
 }
 
-} // namespace osgTerrainROAM
+} // namespace osgSky

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The places of shadow maps: round the eye, moved by whole texels.
-#include "shadow/ShadowPlan.h"
+#include "ShadowPlan.h"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace
 {
 
-using osgTerrainROAM::ShadowPlan;
+using osgSky::ShadowPlan;
 
 const std::array<double, 4> kReachesM{20.0, 90.0, 400.0, 5000.0};
 constexpr int kTexels = 1024;

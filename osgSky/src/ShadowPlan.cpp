@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-namespace osgTerrainROAM
+namespace osgSky
 {
 
 namespace
@@ -48,4 +48,4 @@ std::array<ShadowMap, ShadowPlan::kMaps> ShadowPlan::from(const glm::dvec3& eye)
     return seen;
 }
 
-} // namespace osgTerrainROAM
+} // namespace osgSky

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace osgTerrainROAM
+namespace osgSky
 {
 
 /// One of the maps of a ShadowPlan: a square across the sun's rays.
@@ -43,4 +43,4 @@ struct ShadowPlan
     std::array<ShadowMap, kMaps> from(const glm::dvec3& eye) const;
 };
 
-} // namespace osgTerrainROAM
+} // namespace osgSky

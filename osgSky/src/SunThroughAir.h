@@ -3,7 +3,7 @@
 
 #include <osg/Vec3f>
 
-namespace osgTerrainROAM
+namespace osgSky
 {
 
 /// Computes the length of the way of the sun's light through the air, in units of the vertical one, from
@@ -19,4 +19,4 @@ double airMass(double elevationDeg);
 /// vapour, which absorbs no visible light, is left out.
 osg::Vec3f sunThroughAir(double elevationDeg, const osg::Vec3f& haze);
 
-} // namespace osgTerrainROAM
+} // namespace osgSky

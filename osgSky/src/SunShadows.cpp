@@ -3,15 +3,15 @@
 #include <optional>
 
 #include <osg/Notify>
+#include <osgSky/SunShadows>
 #include <osgUtil/CullVisitor>
 #include <osgUtil/RenderStage>
 
-#include <osgTerrainROAM/SunShadows>
 #include <osgTraversal/CullFacts>
 
 #include "ShadowPlan.h"
 
-namespace osgTerrainROAM
+namespace osgSky
 {
 
 namespace
@@ -306,4 +306,4 @@ void SunShadows::traverse(osg::NodeVisitor& visitor)
     cull(*cullVisitor);
 }
 
-} // namespace osgTerrainROAM
+} // namespace osgSky

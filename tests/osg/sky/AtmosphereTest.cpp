@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <osg/Math>
-
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
 
 namespace
 {
 
-using namespace osgTerrainROAM;
+using namespace osgSky;
 
 AtmosphereSettings withSun(double elevationDeg)
 {

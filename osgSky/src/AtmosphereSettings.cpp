@@ -3,9 +3,9 @@
 
 #include <foundation/SettingsCheck.h>
 
-#include <osgTerrainROAM/Atmosphere>
+#include <osgSky/Atmosphere>
 
-namespace osgTerrainROAM
+namespace osgSky
 {
 
 foundation::Outcome checkSettings(const AtmosphereSettings& settings)
@@ -24,4 +24,4 @@ foundation::Outcome checkSettings(const AtmosphereSettings& settings)
     return check.outcome();
 }
 
-} // namespace osgTerrainROAM
+} // namespace osgSky

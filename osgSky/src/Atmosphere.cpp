@@ -7,14 +7,14 @@
 #include <osg/Math>
 #include <osg/Notify>
 #include <osg/Uniform>
+#include <osgSky/Atmosphere>
+#include <osgSky/MixedColour>
 
-#include <osgTerrainROAM/Atmosphere>
-#include <shaders/osgTerrainROAM.h>
+#include <shaders/osgSky.h>
 
-#include "MixedColour.h"
 #include "SunThroughAir.h"
 
-namespace osgTerrainROAM
+namespace osgSky
 {
 
 namespace
@@ -190,4 +190,4 @@ const char* Atmosphere::glslFunctions()
     return functions.c_str();
 }
 
-} // namespace osgTerrainROAM
+} // namespace osgSky
