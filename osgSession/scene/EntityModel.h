@@ -12,8 +12,8 @@
 #include <osg/MatrixTransform>
 
 #include "scenery/nodes/EntityNode.h"
-#include "simulation/player/EntityState.h"
 #include "simulation/scenario/Entity.h"
+#include "simulation/state/EntityState.h"
 
 namespace trainer
 {

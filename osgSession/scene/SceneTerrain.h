@@ -19,12 +19,12 @@
 #include <osgTerrainROAM/RoamTerrain>
 
 #include "SceneRunways.h"
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "scenery/nodes/AirfieldNode.h"
 #include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/placement/SkyOccluders.h"
-#include "simulation/player/EnvironmentState.h"
 #include "simulation/player/SceneFrame.h"
+#include "simulation/state/EnvironmentState.h"
 
 namespace trainer
 {

@@ -5,7 +5,7 @@
 #include <osgSky/Atmosphere>
 
 #include "simulation/environment/Hydrometeors.h"
-#include "simulation/player/EnvironmentState.h"
+#include "simulation/state/EnvironmentState.h"
 
 namespace trainer
 {

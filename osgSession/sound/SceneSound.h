@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "simulation/player/EntityState.h"
 #include "simulation/player/ExternalMotion.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/sound/SoundState.h"
+#include "simulation/state/EntityState.h"
 #include "simulation/vehicle/DynamicVehicle.h"
 
 namespace trainer

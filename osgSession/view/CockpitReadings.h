@@ -3,7 +3,7 @@
 
 #include "scenery/models/cockpit/Readings.h"
 #include "scenery/models/entities/EntityModel.h"
-#include "simulation/player/EntityState.h"
+#include "simulation/state/EntityState.h"
 #include "simulation/vehicle/DynamicVehicle.h"
 
 namespace trainer

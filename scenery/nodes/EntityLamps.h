@@ -9,7 +9,7 @@
 
 #include "scenery/models/entities/EntityModel.h"
 #include "scenery/nodes/LampGlow.h"
-#include "simulation/player/EntityState.h"
+#include "simulation/state/EntityState.h"
 
 namespace scenery
 {

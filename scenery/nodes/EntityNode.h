@@ -9,7 +9,7 @@
 #include "scenery/nodes/EntityLamps.h"
 #include "scenery/nodes/EntityShapes.h"
 #include "scenery/nodes/SunShadow.h"
-#include "simulation/player/EntityState.h"
+#include "simulation/state/EntityState.h"
 
 namespace scenery
 {

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "simulation/player/EntityState.h"
+#include "simulation/state/EntityState.h"
 
 namespace scenery
 {

@@ -10,8 +10,8 @@
 #include <osg/Program>
 
 #include "scenery/models/entities/ShadowMask.h"
-#include "simulation/player/EntityState.h"
-#include "simulation/player/GroundProvider.h"
+#include "simulation/state/EntityState.h"
+#include "simulation/state/GroundProvider.h"
 
 namespace scenery
 {

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "simulation/player/EntityState.h"
 #include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Distance.h"
 #include "simulation/scenario/Entity.h"
+#include "simulation/state/EntityState.h"
 
 namespace simulation
 {

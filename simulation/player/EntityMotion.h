@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "simulation/parser/RandomDraw.h"
-#include "simulation/player/EntityState.h"
 #include "simulation/player/GroundContact.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/player/SceneFrame.h"
@@ -13,6 +12,7 @@
 #include "simulation/player/TrajectoryRun.h"
 #include "simulation/road/WayAhead.h"
 #include "simulation/scenario/Entity.h"
+#include "simulation/state/EntityState.h"
 
 namespace simulation
 {

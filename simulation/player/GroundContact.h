@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "simulation/player/EntityState.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/scenario/Entity.h"
+#include "simulation/state/EntityState.h"
 
 namespace simulation
 {

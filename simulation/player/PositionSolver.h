@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "simulation/player/EntityState.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/road/RoadScene.h"
+#include "simulation/state/EntityState.h"
 
 namespace simulation
 {

@@ -11,13 +11,13 @@
 #include <foundation/Result.h>
 
 #include "simulation/clock/FixedClock.h"
-#include "simulation/player/EntityState.h"
-#include "simulation/player/EnvironmentState.h"
 #include "simulation/player/MotionSource.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/player/StoryboardElements.h"
 #include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Scenario.h"
+#include "simulation/state/EntityState.h"
+#include "simulation/state/EnvironmentState.h"
 
 namespace simulation
 {

@@ -7,8 +7,8 @@
 #include <glm/glm.hpp>
 
 #include "simulation/geodesy/LocalFrame.h"
-#include "simulation/player/GroundProvider.h"
 #include "simulation/scenario/Position.h"
+#include "simulation/state/GroundProvider.h"
 
 namespace simulation
 {

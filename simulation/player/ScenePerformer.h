@@ -9,7 +9,6 @@
 
 #include "simulation/clock/FixedClock.h"
 #include "simulation/player/EntityMotion.h"
-#include "simulation/player/EnvironmentState.h"
 #include "simulation/player/ExternalControl.h"
 #include "simulation/player/PedalDrive.h"
 #include "simulation/player/PositionSolver.h"
@@ -19,6 +18,7 @@
 #include "simulation/player/Trailers.h"
 #include "simulation/player/actions/RunningAction.h"
 #include "simulation/player/traffic/RoadTraffic.h"
+#include "simulation/state/EnvironmentState.h"
 
 namespace simulation
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "simulation/player/EntityState.h"
+#include "simulation/state/EntityState.h"
 
 namespace simulation
 {

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "simulation/player/EntityState.h"
-#include "simulation/player/EnvironmentState.h"
 #include "simulation/scenario/Entity.h"
+#include "simulation/state/EntityState.h"
+#include "simulation/state/EnvironmentState.h"
 
 namespace simulation
 {

@@ -10,8 +10,8 @@
 #include <foundation/Result.h>
 #include <foundation/WholeFile.h>
 
-#include "simulation/player/EntityState.h"
 #include "simulation/scenario/Scenario.h"
+#include "simulation/state/EntityState.h"
 
 namespace simulation
 {

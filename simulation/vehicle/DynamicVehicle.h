@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "simulation/player/EntityState.h"
+#include "simulation/state/EntityState.h"
 #include "simulation/vehicle/Air.h"
 #include "simulation/vehicle/Ground.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "simulation/player/GroundProvider.h"
+#include "simulation/state/GroundProvider.h"
 #include "simulation/vehicle/Ground.h"
 
 namespace simulation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "simulation/player/EnvironmentState.h"
+#include "simulation/state/EnvironmentState.h"
 #include "simulation/vehicle/WeatherAir.h"
 
 namespace simulation

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "simulation/player/EnvironmentState.h"
+#include "simulation/state/EnvironmentState.h"
 #include "simulation/vehicle/Ground.h"
 
 namespace simulation

@@ -16,6 +16,13 @@ function(plantTree)
             "osgTerrainROAM/src/core/roam/Mesh.cpp|osgTerrainROAM/core/roam/Mesh.h"
             "osgTerrainROAM/src/view/Group.h|osgTerrainROAM/core/roam/Mesh.h"
             "osgTerrainROAM/src/view/Table.h|osgTerrainROAM/core/roam/Mesh.h"
+            "simulation/state/State.h|array"
+            "simulation/vehicle/Car.cpp|../state/State.h"
+            "simulation/player/actions/Brake.cpp|../Player.h"
+            "simulation/player/Player.h|../state/State.h"
+            "scenery/models/houses/House.h|../mesh/Box.h"
+            "scenery/models/mesh/Box.h|array"
+            "apps/trainer/window/Window.cpp|../../../simulation/player/Player.h"
             "osgPMObjects/src/core/mesh/Mesh.cpp|array"
             "osgPMObjects/include/osgPMObjects/core/edit/Order.h|array")
         string(REPLACE "|" ";" entry "${entry}")
@@ -54,14 +61,20 @@ plantTree()
 expect(pass "the clean tree")
 file(APPEND "${SCRATCH}/osgPMObjects/src/core/mesh/Mesh.cpp" "#include <osgPMObjects/core/edit/Order.h>\n")
 expect(pass "folders of one name in two cores")
+file(APPEND "${SCRATCH}/simulation/player/Player.h" "#include \"actions/Order.h\"\n")
+file(WRITE "${SCRATCH}/simulation/player/actions/Order.h" "#include <array>\n")
+expect(pass "a folder and one within it")
 
 set(roam osgTerrainROAM/include/osgTerrainROAM/core/roam/Mesh.h)
 expectCycle(osgTerrainROAM/src/core/roam/Mesh.cpp "#include <osgTerrainROAM/core/edit/Editor.h>"
-    "osgTerrainROAM/roam includes osgTerrainROAM/edit (osgTerrainROAM/src/core/roam/Mesh.cpp)")
+    "osgTerrainROAM_core/roam includes osgTerrainROAM_core/edit (osgTerrainROAM/src/core/roam/Mesh.cpp)")
 expectCycle(osgTerrainROAM/src/core/heightfield/Tile.cpp "#include <osgTerrainROAM/core/edit/Editor.h>"
-    "osgTerrainROAM/heightfield includes osgTerrainROAM/edit")
+    "osgTerrainROAM_core/heightfield includes osgTerrainROAM_core/edit")
 expectCycle(osgTerrainROAM/src/core/heightfield/Tile.cpp "#include \"../../../include/osgTerrainROAM/core/edit/Editor.h\""
-    "osgTerrainROAM/edit includes osgTerrainROAM/roam")
+    "osgTerrainROAM_core/edit includes osgTerrainROAM_core/roam")
+expectCycle(simulation/state/State.h "#include \"../vehicle/Car.cpp\"" "simulation/state includes simulation/vehicle")
+expectCycle(scenery/models/mesh/Box.h "#include \"../houses/House.h\"" "scenery/models/houses includes scenery/models/mesh")
+expectCycle(simulation/state/State.h "#include \"../../apps/trainer/window/Window.cpp\"" "apps includes simulation")
 expectCycle(viewlod/include/viewlod/Frustum.h "#include <viewlod/ViewState.h>"
     "headers: viewlod/include/viewlod/")
 expectCycle(${roam} "#include <osgTerrainROAM/Terrain>" "${roam} includes osgTerrainROAM/include/osgTerrainROAM/Terrain")

@@ -2,7 +2,7 @@
 // What an unsaid sky is like, and which of scenario, world and usual goes first.
 #include <gtest/gtest.h>
 
-#include "simulation/player/EnvironmentState.h"
+#include "simulation/state/EnvironmentState.h"
 
 namespace simulation
 {

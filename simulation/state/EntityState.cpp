@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/player/EntityState.h"
+#include "simulation/state/EntityState.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/player/EnvironmentState.h"
+#include "simulation/state/EnvironmentState.h"
 
 #include <cmath>
 

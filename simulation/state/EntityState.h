@@ -9,10 +9,10 @@
 
 #include <glm/glm.hpp>
 
-#include "simulation/player/AircraftParts.h"
-#include "simulation/player/VehicleReadings.h"
 #include "simulation/road/RoadPlace.h"
 #include "simulation/scenario/AppearanceActions.h"
+#include "simulation/state/AircraftParts.h"
+#include "simulation/state/VehicleReadings.h"
 
 namespace simulation
 {
