@@ -14,9 +14,9 @@
 
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/land/TagReport.h"
-#include "worldmaking/land/Waters.h"
 #include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/map/ReadLand.h"
+#include "worldmaking/plan/Waters.h"
 #include "worldtool/BuildReport.h"
 #include "worldtool/BuildState.h"
 #include "worldtool/Commands.h"

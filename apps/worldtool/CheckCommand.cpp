@@ -12,7 +12,7 @@
 #include "scenery/roads/NearestStreet.h"
 #include "scenery/structures/HeightsInScene.h"
 #include "worldmaking/check/WorldCheck.h"
-#include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/plan/PlanGrid.h"
 #include "worldtool/Commands.h"
 #include "worldtool/FaultLines.h"
 

@@ -13,7 +13,7 @@
 #include <osgRoads/core/query/Stations.h>
 
 #include "scenery/structures/Footbridge.h"
-#include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/plan/PlanGrid.h"
 #include "worldmaking/streets/Overpass.h"
 
 namespace worldmaking

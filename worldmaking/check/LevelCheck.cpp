@@ -11,7 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "scenery/buildings/Outline.h"
-#include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/plan/PlanGrid.h"
 
 namespace worldmaking
 {

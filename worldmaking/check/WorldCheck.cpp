@@ -14,7 +14,7 @@
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/check/LevelCheck.h"
 #include "worldmaking/land/Houses.h"
-#include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/plan/PlanGrid.h"
 
 namespace worldmaking
 {

@@ -16,7 +16,7 @@
 #include "scenery/buildings/Building.h"
 #include "worldmaking/check/CrossingCheck.h"
 #include "worldmaking/check/LevelCheck.h"
-#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

@@ -16,10 +16,11 @@
 
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/earth/WaterWorks.h"
-#include "worldmaking/land/PlanGrid.h"
-#include "worldmaking/land/Waters.h"
 #include "worldmaking/map/GdalScope.h"
 #include "worldmaking/map/OgrPieces.h"
+#include "worldmaking/map/WaterTags.h"
+#include "worldmaking/plan/PlanGrid.h"
+#include "worldmaking/plan/Waters.h"
 
 namespace worldmaking
 {

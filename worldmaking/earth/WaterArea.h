@@ -8,7 +8,7 @@
 
 #include <foundation/Heights.h>
 
-#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

@@ -7,15 +7,15 @@
 #include <optional>
 #include <utility>
 
-#include <foundation/TagQuantity.h>
 #include <glm/glm.hpp>
 
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/earth/WaterArea.h"
 #include "worldmaking/earth/WaterLevels.h"
-#include "worldmaking/land/Waters.h"
 #include "worldmaking/map/GdalScope.h"
 #include "worldmaking/map/OgrPolygon.h"
+#include "worldmaking/map/WaterTags.h"
+#include "worldmaking/plan/Waters.h"
 
 namespace worldmaking
 {
@@ -26,7 +26,6 @@ namespace
 using osgTerrainROAM::core::Earthwork;
 
 constexpr double kRiverStepM = 25.0; ///< between the points of a river
-constexpr double kRiverM = 10.0, kCanalM = 8.0;
 constexpr double kBankReachM = 12.0; ///< the lowest ground so far beside a river counts
 constexpr double kSunkM = 0.3;       ///< below the ground
 constexpr double kShore = 0.25;      ///< of the shores that reach to the ground
@@ -42,7 +41,7 @@ struct River
 {
     std::vector<glm::dvec2> line;
     std::vector<std::uint32_t> nodes;
-    double widthM = kRiverM;
+    double widthM = 0.0;
 };
 
 /// Collects areas and rivers, and joins them to a net.
@@ -241,23 +240,6 @@ private:
 };
 
 } // namespace
-
-bool isRiverArea(const Tags& tags)
-{
-    const auto water = valueOf(tags, "water");
-    return valueOf(tags, "waterway") == "riverbank" || water == "river" || water == "canal" ||
-           water == "stream";
-}
-
-std::optional<double> riverWidthM(const LandShape& shape)
-{
-    const auto way = valueOf(shape.tags, "waterway"), tunnel = valueOf(shape.tags, "tunnel");
-    if (shape.form != ShapeForm::line || (way != "river" && way != "canal")) return std::nullopt;
-    if ((!tunnel.empty() && tunnel != "no") || valueOf(shape.tags, "location") == "underground")
-        return std::nullopt;
-    const double told = foundation::metresOfTag(valueOf(shape.tags, "width")).value_or(0.0);
-    return told >= 1.0 && told <= 500.0 ? told : way == "river" ? kRiverM : kCanalM;
-}
 
 std::vector<Earthwork> waterWorks(const LandMap& map, const MapPlane& plane,
                                   const foundation::HeightInPlan& ground, WaterReport& report)

@@ -32,11 +32,4 @@ std::vector<osgTerrainROAM::core::Earthwork> waterWorks(const LandMap& map, cons
                                                         const foundation::HeightInPlan& ground,
                                                         WaterReport& report);
 
-/// Tells whether an area of water flows.
-bool isRiverArea(const Tags& tags);
-
-/// Returns the width of a line of water: its tag, or a customary one. Nothing: it is no river or canal, or
-/// lies underground.
-std::optional<double> riverWidthM(const LandShape& shape);
-
 } // namespace worldmaking

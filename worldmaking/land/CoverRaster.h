@@ -8,8 +8,8 @@
 
 #include <foundation/Result.h>
 
-#include "worldmaking/land/PlanGrid.h"
-#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/plan/PlanGrid.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

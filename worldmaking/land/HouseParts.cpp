@@ -15,10 +15,10 @@
 #include "scenery/buildings/BuildingRules.h"
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/land/Houses.h"
-#include "worldmaking/land/PlanGrid.h"
 #include "worldmaking/map/GdalScope.h"
 #include "worldmaking/map/OgrPieces.h"
 #include "worldmaking/map/OgrPolygon.h"
+#include "worldmaking/plan/PlanGrid.h"
 
 namespace worldmaking
 {

@@ -16,10 +16,10 @@
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/land/HouseParts.h"
 #include "worldmaking/land/Passages.h"
-#include "worldmaking/land/PlanGrid.h"
-#include "worldmaking/land/Waters.h"
 #include "worldmaking/map/GdalScope.h"
 #include "worldmaking/map/OgrPolygon.h"
+#include "worldmaking/plan/PlanGrid.h"
+#include "worldmaking/plan/Waters.h"
 
 namespace worldmaking
 {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "scenery/buildings/Building.h"
-#include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

@@ -11,9 +11,9 @@
 #include "scenery/buildings/BuildingRules.h"
 #include "scenery/buildings/Outline.h"
 #include "scenery/structures/Structure.h"
-#include "worldmaking/earth/WaterWorks.h"
 #include "worldmaking/land/MapFile.h"
-#include "worldmaking/land/Waters.h"
+#include "worldmaking/map/WaterTags.h"
+#include "worldmaking/plan/Waters.h"
 #include "worldmaking/streets/PathTags.h"
 #include "worldmaking/streets/StreetTraits.h"
 

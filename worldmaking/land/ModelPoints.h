@@ -7,9 +7,9 @@
 #include <foundation/Heights.h>
 #include <foundation/Result.h>
 
-#include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

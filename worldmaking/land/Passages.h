@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "worldmaking/land/PlanGrid.h"
-#include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
+#include "worldmaking/plan/PlanGrid.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

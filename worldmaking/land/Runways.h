@@ -9,8 +9,8 @@
 #include <foundation/Result.h>
 #include <glm/vec2.hpp>
 
-#include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/map/MapPlane.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

@@ -12,7 +12,7 @@
 #include "scenery/buildings/Outline.h"
 #include "scenery/models/Dice.h"
 #include "worldmaking/land/MapFile.h"
-#include "worldmaking/land/Waters.h"
+#include "worldmaking/plan/Waters.h"
 
 namespace worldmaking
 {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "worldmaking/madeup/Noise.h"
+#include "worldmaking/plan/Noise.h"
 
 namespace worldmaking
 {

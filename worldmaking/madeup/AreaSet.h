@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "scenery/buildings/Outline.h"
-#include "worldmaking/land/PlanGrid.h"
-#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/plan/PlanGrid.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

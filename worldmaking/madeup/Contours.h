@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "worldmaking/land/PlanGrid.h"
-#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/plan/PlanGrid.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

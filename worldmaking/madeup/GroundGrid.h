@@ -9,7 +9,7 @@
 #include <foundation/Heights.h>
 #include <glm/glm.hpp>
 
-#include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/plan/PlanGrid.h"
 
 namespace worldmaking
 {

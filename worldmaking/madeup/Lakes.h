@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/madeup/AreaSet.h"
 #include "worldmaking/madeup/Drainage.h"
 #include "worldmaking/madeup/GroundGrid.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

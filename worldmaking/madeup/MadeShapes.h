@@ -6,8 +6,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/map/LandMap.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

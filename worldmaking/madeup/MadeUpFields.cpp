@@ -8,9 +8,9 @@
 #include <foundation/ForEachAtOnce.h>
 
 #include "worldmaking/madeup/MadeUpLand.h"
-#include "worldmaking/madeup/Noise.h"
 #include "worldmaking/madeup/Parcels.h"
 #include "worldmaking/madeup/Woods.h"
+#include "worldmaking/plan/Noise.h"
 
 namespace worldmaking
 {

@@ -9,7 +9,7 @@
 #include <foundation/ForEachAtOnce.h>
 
 #include "scenery/buildings/Outline.h"
-#include "worldmaking/madeup/Noise.h"
+#include "worldmaking/plan/Noise.h"
 
 namespace worldmaking
 {

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 class OGRGeometry;
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "worldmaking/madeup/Noise.h"
 #include "worldmaking/madeup/SmoothPath.h"
+#include "worldmaking/plan/Noise.h"
 
 namespace worldmaking
 {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "worldmaking/madeup/Noise.h"
+#include "worldmaking/plan/Noise.h"
 
 namespace worldmaking
 {

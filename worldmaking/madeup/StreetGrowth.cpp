@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "worldmaking/madeup/Noise.h"
 #include "worldmaking/madeup/SmoothPath.h"
+#include "worldmaking/plan/Noise.h"
 
 namespace worldmaking
 {

@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/plan/PlanGrid.h"
 
 namespace worldmaking
 {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "worldmaking/madeup/Contours.h"
-#include "worldmaking/madeup/Noise.h"
+#include "worldmaking/plan/Noise.h"
 
 namespace worldmaking
 {

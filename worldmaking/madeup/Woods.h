@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/madeup/Drainage.h"
 #include "worldmaking/madeup/GroundGrid.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 namespace worldmaking
 {

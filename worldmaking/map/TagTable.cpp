@@ -6,7 +6,7 @@
 
 #include <foundation/TagQuantity.h>
 
-#include "worldmaking/streets/SpeedTags.h"
+#include "worldmaking/map/SpeedTags.h"
 
 namespace worldmaking
 {

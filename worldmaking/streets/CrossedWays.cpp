@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "scenery/buildings/Outline.h"
-#include "worldmaking/land/Waters.h"
+#include "worldmaking/plan/Waters.h"
 #include "worldmaking/streets/Overpass.h"
 #include "worldmaking/streets/PathTags.h"
 #include "worldmaking/streets/PlanPieces.h"

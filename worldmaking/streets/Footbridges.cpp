@@ -16,8 +16,8 @@
 
 #include "scenery/buildings/Outline.h"
 #include "scenery/structures/Footbridge.h"
-#include "worldmaking/land/Waters.h"
 #include "worldmaking/map/PlaceKey.h"
+#include "worldmaking/plan/Waters.h"
 #include "worldmaking/streets/LaneLayout.h"
 #include "worldmaking/streets/PathTags.h"
 #include "worldmaking/streets/PlanPieces.h"

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/plan/PlanGrid.h"
 #include "worldmaking/streets/Overpass.h"
 #include "worldmaking/streets/StreetGraph.h"
 

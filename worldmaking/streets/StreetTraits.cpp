@@ -10,8 +10,8 @@
 
 #include <foundation/TagQuantity.h>
 
+#include "worldmaking/map/SpeedTags.h"
 #include "worldmaking/streets/LaneTags.h"
-#include "worldmaking/streets/SpeedTags.h"
 
 namespace worldmaking
 {

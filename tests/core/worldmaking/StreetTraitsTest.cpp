@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "worldmaking/map/SpeedTags.h"
 #include "worldmaking/streets/LaneLayout.h"
-#include "worldmaking/streets/SpeedTags.h"
 
 namespace
 {

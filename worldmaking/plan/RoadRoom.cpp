@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/plan/RoadRoom.h"
 
 #include <algorithm>
 #include <cmath>

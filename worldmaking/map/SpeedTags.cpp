@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "worldmaking/streets/SpeedTags.h"
+#include "worldmaking/map/SpeedTags.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "worldmaking/land/Waters.h"
+#include "worldmaking/plan/Waters.h"
 
 #include "scenery/buildings/Outline.h"
 
