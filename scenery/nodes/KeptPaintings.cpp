@@ -11,8 +11,8 @@
 
 #include <foundation/KeptResults.h>
 
+#include "scenery/models/Paint.h"
 #include "scenery/models/paint/MipChain.h"
-#include "scenery/models/paint/Paint.h"
 
 namespace scenery
 {

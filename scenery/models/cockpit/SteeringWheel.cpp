@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "scenery/models/cockpit/InteriorShell.h"
-#include "scenery/models/mesh/Loft.h"
+#include "scenery/models/entities/Loft.h"
 
 namespace scenery::models
 {

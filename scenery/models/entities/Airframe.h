@@ -4,8 +4,8 @@
 #include <string>
 
 #include "scenery/models/entities/EntityModel.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/entities/WingPanel.h"
-#include "scenery/models/mesh/Loft.h"
 #include "scenery/models/roads/RoadModelParts.h"
 
 /// What the generators of aircraft share.

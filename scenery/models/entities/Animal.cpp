@@ -7,7 +7,7 @@
 #include "scenery/models/entities/EntityGenerators.h"
 #include "scenery/models/entities/Gait.h"
 #include "scenery/models/entities/LegBend.h"
-#include "scenery/models/mesh/Loft.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/roads/RoadModelParts.h"
 
 namespace scenery::models

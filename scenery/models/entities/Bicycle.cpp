@@ -5,8 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scenery/models/entities/EntityGenerators.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/entities/TwoWheelerParts.h"
-#include "scenery/models/mesh/Loft.h"
 #include "scenery/models/roads/RoadModelParts.h"
 
 namespace scenery::models

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "scenery/models/entities/EntityGenerators.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/entities/RollingParts.h"
-#include "scenery/models/mesh/Loft.h"
 #include "scenery/models/roads/RoadModelParts.h"
 
 namespace scenery::models

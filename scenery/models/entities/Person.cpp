@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "scenery/models/mesh/Loft.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/roads/SignAtlas.h"
 
 namespace scenery::models

@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scenery/models/entities/EntityGenerators.h"
-#include "scenery/models/mesh/Loft.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/roads/RoadModelParts.h"
 
 namespace scenery::models

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "scenery/models/mesh/Loft.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/roads/RoadModelParts.h"
 
 namespace scenery::models

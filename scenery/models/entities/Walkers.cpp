@@ -7,8 +7,8 @@
 
 #include "scenery/models/entities/EntityGenerators.h"
 #include "scenery/models/entities/Gait.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/entities/Person.h"
-#include "scenery/models/mesh/Loft.h"
 #include "scenery/models/roads/SignAtlas.h"
 
 namespace scenery::models

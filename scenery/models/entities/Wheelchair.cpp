@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/models/entities/EntityGenerators.h"
+#include "scenery/models/entities/Loft.h"
 #include "scenery/models/entities/TwoWheelerParts.h"
-#include "scenery/models/mesh/Loft.h"
 #include "scenery/models/roads/RoadModelParts.h"
 
 namespace scenery::models

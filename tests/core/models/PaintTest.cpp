@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenery/models/paint/Paint.h"
+#include "scenery/models/Paint.h"
 
 #include <bit>
 #include <cstdlib>

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scenery/models/ModelCheck.h"
-#include "scenery/models/paint/Paint.h"
+#include "scenery/models/Paint.h"
 #include "scenery/models/roads/LampArrow.h"
 #include "scenery/models/roads/RoadBuilding.h"
 #include "scenery/models/roads/Sweep.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenery/models/mesh/Loft.h"
+#include "scenery/models/entities/Loft.h"
 
 #include <array>
 #include <cmath>
