@@ -9,8 +9,8 @@
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 
 #include "../simplify/collapse/UnitFrame.h"
-#include "../simplify/leaves/LeafCards.h"
 #include "../simplify/parts/ConnectedParts.h"
+#include "../simplify/parts/LeafCards.h"
 
 namespace osgPMObjects::core
 {

@@ -12,8 +12,8 @@
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include "../envelope/Envelope.h"
-#include "../leaves/LeafCards.h"
 #include "../parts/ConnectedParts.h"
+#include "../parts/LeafCards.h"
 #include "../quadric/Placement.h"
 #include "../star/StarMesh.h"
 #include "../symmetry/MirrorTwins.h"

@@ -11,7 +11,7 @@
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
 
 #include "../collapse/CollapseState.h"
-#include "LeafCards.h"
+#include "../parts/LeafCards.h"
 
 namespace osgPMObjects::core
 {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "LeafCards.h"
+#include "../parts/LeafCards.h"
 
 namespace osgPMObjects::core
 {

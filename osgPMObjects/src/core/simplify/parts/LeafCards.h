@@ -10,7 +10,7 @@
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
-#include "../parts/ConnectedParts.h"
+#include "ConnectedParts.h"
 
 namespace osgPMObjects::core
 {
