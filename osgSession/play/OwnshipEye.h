@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/ChaseCamera.h"
 #include "view/RoadsideCamera.h"

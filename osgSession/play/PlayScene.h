@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "scene/ScenarioScene.h"
 #include "scene/SceneCover.h"
 #include "scene/SceneScenery.h"

@@ -4,7 +4,7 @@
 #include <foundation/Result.h>
 
 #include "SceneTerrain.h"
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "simulation/scenario/Scenario.h"
 
 namespace trainer

@@ -10,7 +10,7 @@
 #include <osgTerrainROAM/core/RoamFile.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 
 namespace trainer
 {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "SceneTerrain.h"
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "scenery/nodes/SceneryNode.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/FrameStatistics.h"

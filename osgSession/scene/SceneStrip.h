@@ -8,7 +8,7 @@
 #include <osgTerrainROAM/core/features/GroundFeature.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 
 namespace trainer
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "simulation/sound/Synthesiser.h"
 #include "simulation/sound/WaveFile.h"
 #include "sound/SceneSound.h"

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "PlayPlaces.h"
+#include "PlayRides.h"
 #include "osgSession/src/core/RideScenario.h"
-#include "ride/Ride.h"
 #include "scene/DriveWay.h"
 #include "scene/RideAir.h"
 #include "scene/SceneTerrain.h"

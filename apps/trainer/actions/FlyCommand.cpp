@@ -8,9 +8,9 @@
 #include <foundation/Units.h>
 
 #include "PlayPlaces.h"
+#include "PlayRides.h"
 #include "ride/FlightAircraft.h"
 #include "ride/FlightMaker.h"
-#include "ride/Ride.h"
 #include "scene/FlatScene.h"
 #include "scene/RideAir.h"
 #include "scene/SceneGround.h"
@@ -83,13 +83,6 @@ foundation::Result<SceneTerrain> openWorld(const FlyRequest& request)
 }
 
 } // namespace
-
-glm::dvec2 FlyRequest::windMps() const
-{
-    if (wind.empty()) return glm::dvec2(0.0);
-    const double from = foundation::radiansOf(wind[0]);
-    return -foundation::kMpsPerKnot * wind[1] * glm::dvec2(std::sin(from), std::cos(from));
-}
 
 foundation::Outcome checkFlight(const FlyRequest& request)
 {

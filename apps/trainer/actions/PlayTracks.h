@@ -6,7 +6,7 @@
 
 #include <foundation/Result.h>
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "simulation/track/FlightTrack.h"
 
 namespace trainer

@@ -52,10 +52,4 @@ foundation::Outcome playVariations(const std::filesystem::path& file, const Vari
     return foundation::success();
 }
 
-std::filesystem::path withSuffix(const std::filesystem::path& file, const std::string& suffix)
-{
-    if (file.empty()) return file;
-    return file.parent_path() / (file.stem().string() + suffix + file.extension().string());
-}
-
 } // namespace trainer

@@ -35,7 +35,4 @@ struct ScenarioPlay
 foundation::Outcome playVariations(const std::filesystem::path& file, const VariationRequest& request,
                                    const std::function<foundation::Outcome(const ScenarioPlay&)>& play);
 
-/// Returns a file's name with a suffix before its extension; an empty one stays empty.
-std::filesystem::path withSuffix(const std::filesystem::path& file, const std::string& suffix);
-
 } // namespace trainer

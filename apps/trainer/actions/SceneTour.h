@@ -5,7 +5,7 @@
 
 #include <foundation/Result.h>
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "scene/SceneTerrain.h"
 #include "simulation/tour/TourTerrain.h"
 

@@ -11,6 +11,7 @@
 #include "commands/PlayOptions.h"
 #include "simulation/track/ReadTrack.h"
 #include "terminal/CommandLine.h"
+#include "world/SuffixedFile.h"
 
 namespace trainer
 {

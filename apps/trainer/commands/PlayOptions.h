@@ -7,7 +7,7 @@
 
 #include <foundation/Result.h>
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 
 namespace CLI
 {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "actions/FlyCommand.h"
+#include "FlyRequest.h"
 #include "simulation/geodesy/LocalFrame.h"
 #include "simulation/vehicle/DynamicVehicle.h"
 

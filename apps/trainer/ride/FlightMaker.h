@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "FlightStarts.h"
+#include "FlyRequest.h"
 #include "Ride.h"
-#include "actions/FlyCommand.h"
 #include "simulation/control/ControlSwitch.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/vehicle/DynamicVehicle.h"

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "actions/FlyCommand.h"
+#include "FlyRequest.h"
 
 namespace trainer
 {

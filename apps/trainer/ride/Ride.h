@@ -7,7 +7,6 @@
 
 #include <foundation/Result.h>
 
-#include "RideRequest.h"
 #include "input/KeyTable.h"
 #include "simulation/scenario/Scenario.h"
 
@@ -19,8 +18,6 @@ class VehicleMotion;
 
 namespace trainer
 {
-
-struct SceneTerrain;
 
 /// One vehicle with physics in a world, ready to go.
 struct Ride
@@ -53,10 +50,5 @@ public:
     /// Errors: a place where nothing can begin.
     virtual foundation::Result<Ride> make(std::size_t place) = 0;
 };
-
-/// Plays rides: in a window, with pictures, or at 120 steps a second without. Writes the files of the
-/// request, and returns the motion of the last one. Errors: as playScene(), playOut() and WindowSession.
-foundation::Result<std::shared_ptr<simulation::VehicleMotion>>
-playRides(const RideRequest& request, SceneTerrain terrain, RideMaker& maker);
 
 } // namespace trainer

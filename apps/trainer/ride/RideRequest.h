@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "simulation/tour/RideConditions.h"
 
 namespace trainer

@@ -5,7 +5,7 @@
 
 #include <osgViewer/GraphicsWindow>
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 
 namespace trainer
 {

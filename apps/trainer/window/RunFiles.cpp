@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/RunFiles.h"
 
-#include "actions/PlayVariations.h"
+#include "world/SuffixedFile.h"
 
 namespace trainer
 {

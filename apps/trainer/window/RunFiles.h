@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "play/PlayRequest.h"
+#include "request/PlayRequest.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/record/MotionLog.h"

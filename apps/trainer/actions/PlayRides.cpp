@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "Ride.h"
+#include "PlayRides.h"
 
 #include <foundation/WholeFile.h>
 
-#include "actions/HeadlessCommand.h"
-#include "actions/PlayCommand.h"
+#include "HeadlessCommand.h"
+#include "PlayCommand.h"
 #include "scene/SceneTerrain.h"
 #include "simulation/control/ControlSwitch.h"
 #include "simulation/control/VehicleMotion.h"
@@ -46,16 +46,6 @@ foundation::Outcome rideInPictures(const RideRequest& request, SceneTerrain terr
 }
 
 } // namespace
-
-bool RideRequest::hasWindow() const
-{
-    if (isHeadless) return false;
-    if (play.window.isWanted) return true;
-    const OutputRequest& output = play.output;
-    return output.captureFolder.empty() && output.statsFile.empty() && output.reportFile.empty() &&
-           output.motionFile.empty() && play.sound.file.empty() && play.frames.viewFile.empty() &&
-           !play.frames.count && inputs.empty() && recordInputs.empty();
-}
 
 foundation::Result<std::shared_ptr<simulation::VehicleMotion>>
 playRides(const RideRequest& request, SceneTerrain terrain, RideMaker& maker)

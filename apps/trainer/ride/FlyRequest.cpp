@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "FlyRequest.h"
+
+#include <cmath>
+
+#include <foundation/Angle.h>
+#include <foundation/Units.h>
+
+namespace trainer
+{
+
+glm::dvec2 FlyRequest::windMps() const
+{
+    if (wind.empty()) return glm::dvec2(0.0);
+    const double from = foundation::radiansOf(wind[0]);
+    return -foundation::kMpsPerKnot * wind[1] * glm::dvec2(std::sin(from), std::cos(from));
+}
+
+} // namespace trainer
