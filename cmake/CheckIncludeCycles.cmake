@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -DROOT=tree -P CheckIncludeCycles.cmake: reads the include lines of the tree and fails when headers include each
-# other, directly or through others, or when folders of one core do (include/LIBRARY/core/FOLDER and src/core/FOLDER count
-# as one folder; files directly in core/ belong to none).
+# other, directly or through others, or when the folders within one folder do. Headers and sources of a library's folder
+# count as one folder, its core as a library of its own; files that lie beside folders belong to none of them.
 cmake_minimum_required(VERSION 3.25)
 if(NOT IS_DIRECTORY "${ROOT}")
     message(FATAL_ERROR "include cycles: -DROOT= names no folder: '${ROOT}'")
@@ -10,19 +10,47 @@ get_filename_component(ROOT "${ROOT}" REALPATH)
 
 include(${CMAKE_CURRENT_LIST_DIR}/IncludedFile.cmake)
 
-# LIBRARY/FOLDER of a file below a core's folder, or nothing.
-function(coreFolderOf file out)
-    set(${out} "" PARENT_SCOPE)
-    if(file MATCHES "^([^/]+)/(include/[^/]+|src)/core/([^/]+)/")
-        set(${out} "${CMAKE_MATCH_1}/${CMAKE_MATCH_3}" PARENT_SCOPE)
-    endif()
+# The path of a file with the headers and sources of a library in one folder: osgLand/src/core/a.cpp is osgLand_core/a.cpp.
+function(joinedPath file out)
+    string(REGEX REPLACE "^([^/]+)/(include/[^/]+|src)/core/" "\\1_core/" file "${file}")
+    string(REGEX REPLACE "^([^/]+)/(include/[^/]+|src)/" "\\1/" file "${file}")
+    set(${out} "${file}" PARENT_SCOPE)
+endfunction()
+
+# The two folders that an include line leads between: those below the deepest folder that has both files. Nothing: one of the
+# files lies right in that folder.
+function(foldersBetween from to outFrom outTo)
+    set(${outFrom} "" PARENT_SCOPE)
+    joinedPath("${from}" from)
+    joinedPath("${to}" to)
+    set(common "")
+    while(TRUE)
+        if(NOT from MATCHES "^([^/]+)/(.+)$")
+            return()
+        endif()
+        set(fromFolder "${CMAKE_MATCH_1}")
+        set(fromRest "${CMAKE_MATCH_2}")
+        if(NOT to MATCHES "^([^/]+)/(.+)$")
+            return()
+        endif()
+        if(NOT fromFolder STREQUAL CMAKE_MATCH_1)
+            set(${outFrom} "${common}${fromFolder}" PARENT_SCOPE)
+            set(${outTo} "${common}${CMAKE_MATCH_1}" PARENT_SCOPE)
+            return()
+        endif()
+        string(APPEND common "${fromFolder}/")
+        set(from "${fromRest}")
+        set(to "${CMAKE_MATCH_2}")
+    endwhile()
 endfunction()
 
 # Notes in the graph `graph` that `from` includes `to`, in `file`.
 macro(addEdge graph from to file)
-    list(APPEND ${graph}_nodes "${from}" "${to}")
-    list(APPEND "${graph}_of_${from}" "${to}")
-    set("${graph}_file_${from}_${to}" "${file}")
+    if(NOT DEFINED "${graph}_file_${from}_${to}")
+        list(APPEND ${graph}_nodes "${from}" "${to}")
+        list(APPEND "${graph}_of_${from}" "${to}")
+        set("${graph}_file_${from}_${to}" "${file}")
+    endif()
 endmacro()
 
 # The nodes of a graph that lie on a cycle, or lead to one. Source: Kahn, *Topological sorting of large networks*, 1962.
@@ -74,7 +102,7 @@ function(cycleIn graph nodes out)
 endfunction()
 
 file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/foundation/*" "${ROOT}/viewlod/*" "${ROOT}/osg*/*"
-    "${ROOT}/simulation/*" "${ROOT}/scenery/*" "${ROOT}/measurement/*" "${ROOT}/apps/*" "${ROOT}/tests/*" "${ROOT}/bench/*"
+    "${ROOT}/simulation/*" "${ROOT}/scenery/*" "${ROOT}/worldmaking/*" "${ROOT}/measurement/*" "${ROOT}/apps/*" "${ROOT}/tests/*" "${ROOT}/bench/*"
     "${ROOT}/data/generator/*")
 set(headers_nodes)
 set(folders_nodes)
@@ -84,8 +112,11 @@ foreach(file IN LISTS files)
     if(NOT ((extension STREQUAL "" AND file MATCHES "/include/") OR extension MATCHES "^\\.(h|hpp|cpp|inl)$"))
         continue()
     endif()
-    coreFolderOf("${file}" fromFolder)
-    if(extension STREQUAL ".cpp" AND fromFolder STREQUAL "")
+    set(isTest FALSE)
+    if(file MATCHES "^tests/")
+        set(isTest TRUE) # the folders of tests mirror those of the tree; their headers alone are looked at
+    endif()
+    if(isTest AND extension STREQUAL ".cpp")
         continue()
     endif()
     file(STRINGS "${ROOT}/${file}" lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]")
@@ -99,11 +130,11 @@ foreach(file IN LISTS files)
         if(NOT extension STREQUAL ".cpp")
             addEdge(headers "${file}" "${to}" "${file}")
         endif()
-        coreFolderOf("${to}" toFolder)
-        cmake_path(GET fromFolder PARENT_PATH fromLibrary)
-        cmake_path(GET toFolder PARENT_PATH toLibrary)
-        if(NOT fromFolder STREQUAL "" AND fromLibrary STREQUAL toLibrary AND NOT fromFolder STREQUAL toFolder)
-            addEdge(folders "${fromFolder}" "${toFolder}" "${file}")
+        if(NOT isTest)
+            foldersBetween("${file}" "${to}" fromFolder toFolder)
+            if(NOT fromFolder STREQUAL "")
+                addEdge(folders "${fromFolder}" "${toFolder}" "${file}")
+            endif()
         endif()
     endforeach()
 endforeach()
@@ -126,4 +157,4 @@ list(REMOVE_DUPLICATES headers_nodes)
 list(REMOVE_DUPLICATES folders_nodes)
 list(LENGTH headers_nodes headerCount)
 list(LENGTH folders_nodes folderCount)
-message(STATUS "include cycles: none among ${headerCount} headers and ${folderCount} folders of cores; ${lineCount} include lines")
+message(STATUS "include cycles: none among ${headerCount} headers and ${folderCount} folders; ${lineCount} include lines")
