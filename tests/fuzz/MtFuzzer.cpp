@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes may be given as a tree of a .mt file: they become a valid multi-triangulation, or are refused.
-// The first byte tells the step of heights and how many fragments are wanted.
+// They are read in sections, and as one piece (version 1). The first byte tells the step of heights and how
+// many fragments are wanted.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -19,5 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto record = decodeTree({reinterpret_cast<const std::byte*>(data + 1), size - 1}, step, fragments);
     if (record && checkStructure(record->part)) std::abort();
     if (record && (data[0] & 2) == 0 && decodeTree(encodeTree(*record, step), step) != record) std::abort();
+    const auto whole =
+        decodeWholeTree({reinterpret_cast<const std::byte*>(data + 1), size - 1}, step, fragments);
+    if (whole && checkStructure(whole->part)) std::abort();
     return 0;
 }

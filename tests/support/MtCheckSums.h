@@ -4,22 +4,28 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 #include <zlib.h>
 
 namespace testsupport
 {
 
-/// Makes the check sums of a .mt file right again after bytes were changed, those of its trees, its directory
-/// and its header (docs/reference/mt-file.md). What does not lie in the file is left out.
+/// The CRC-32 of bytes.
+inline std::uint32_t sumOf(std::string_view bytes)
+{
+    return static_cast<std::uint32_t>(
+        crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+}
+
+/// Makes the check sums of a .mt file right again after bytes were changed, those of the sections of its
+/// trees, of its directory and its header (docs/reference/mt-file.md). What does not lie in the file is left
+/// out.
 inline void renewMtCheckSums(std::string& bytes)
 {
     constexpr std::size_t kHeader = 80, kEntry = 56;
-    const auto sumOf = [&](std::size_t first, std::size_t count)
-    {
-        return static_cast<std::uint32_t>(
-            crc32(0, reinterpret_cast<const Bytef*>(bytes.data() + first), static_cast<uInt>(count)));
-    };
+    const auto sumIn = [&](std::size_t first, std::size_t count)
+    { return sumOf(std::string_view(bytes).substr(first, count)); };
     const auto put = [&](std::size_t at, std::uint32_t sum)
     { std::memcpy(bytes.data() + at, &sum, sizeof sum); };
     if (bytes.size() < kHeader) return;
@@ -32,10 +38,24 @@ inline void renewMtCheckSums(std::string& bytes)
         std::uint32_t count = 0;
         std::memcpy(&first, bytes.data() + entry, sizeof first);
         std::memcpy(&count, bytes.data() + entry + 8, sizeof count);
-        if (first <= bytes.size() && count <= bytes.size() - first) put(entry + 12, sumOf(first, count));
+        if (first > bytes.size() || count > bytes.size() - first) continue;
+        std::uint32_t fragments = 0;
+        std::memcpy(&fragments, bytes.data() + entry + 44, sizeof fragments);
+        const std::uint64_t sections = 2 + (std::uint64_t{fragments} + 127) / 128, table = 4 + 8 * sections;
+        if (table > count) continue;
+        std::uint64_t at = first + table;
+        for (std::uint64_t row = first + 4; row < first + table; row += 8)
+        {
+            std::uint32_t length = 0;
+            std::memcpy(&length, bytes.data() + row, sizeof length);
+            if (length > first + count - at) break;
+            put(row + 4, sumIn(at, length));
+            at += length;
+        }
+        put(entry + 12, sumIn(first, table));
     }
-    put(72, sumOf(kHeader, trees * kEntry));
-    put(76, sumOf(0, 76));
+    put(72, sumIn(kHeader, trees * kEntry));
+    put(76, sumIn(0, 76));
 }
 
 } // namespace testsupport

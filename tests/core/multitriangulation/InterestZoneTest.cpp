@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
+#include <osgMultiTriangulation/core/structure/KeepFragments.h>
 #include <osgMultiTriangulation/core/zone/InterestZone.h>
 
 #include "CheckedForest.h"
@@ -17,22 +18,25 @@ namespace osgMultiTriangulation::core
 namespace
 {
 
-/// Hills of 120 × 100 points in a file of 16 rectangles.
+/// Hills of 120 × 100 points in a file of some rectangles.
 struct HillFile
 {
     testsupport::TestFolder folder{"zone"};
     SurfaceMesh mesh = testsupport::hillSurface(120, 100);
     std::filesystem::path path = folder / "hills.mt";
 
-    HillFile()
+    explicit HillFile(std::uint32_t trees = 16)
     {
         ForestOptions options;
-        options.treeCount = 16;
+        options.treeCount = trees;
         EXPECT_TRUE(buildMtFile(mesh, {}, options, path));
     }
 };
 
 const ZoneSettings kSettings{15.0, 60.0, 2'000'000, 0.25};
+
+/// An extent of 120 with levels over 100, so that all trees are there in part.
+const ZoneSettings kWide{5.0, 105.0, 30'000'000, 0.25};
 
 void refineTo(Extraction& extraction, float toleranceM)
 {
@@ -142,11 +146,136 @@ TEST(InterestZone, nearTheEyeTheSurfaceIsComplete)
 
 TEST(InterestZone, hysteresisSavesReads)
 {
+    const HillFile here(4); // of many sections each
+    const auto file = MtFile::open(here.path);
+    ZoneSettings none = kWide;
+    none.hysteresis = 0.0;
+    EXPECT_LT(1.5 * static_cast<double>(fly(*file, kWide)), static_cast<double>(fly(*file, none)));
+}
+
+/// Moves a zone along y = 50, with the surface checked and refined at each place.
+void moveAlong(InterestZone& zone, const testsupport::CheckedSurface& checked, double from, double to)
+{
+    for (int step = 0; step <= 40; ++step)
+    {
+        zone.moveTo(from + (to - from) * step / 40.0, 50.0);
+        refineTo(zone.extraction(), 0.2f);
+        ASSERT_EQ(checked.fault(zone.extraction()), std::nullopt) << step;
+    }
+}
+
+TEST(InterestZone, anEyeThatRecedesReadsNothing)
+{
     const HillFile here;
     const auto file = MtFile::open(here.path);
-    ZoneSettings none = kSettings;
-    none.hysteresis = 0.0;
-    EXPECT_LT(1.5 * static_cast<double>(fly(*file, kSettings)), static_cast<double>(fly(*file, none)));
+    const testsupport::CheckedSurface checked(here.mesh);
+    for (const double threshold : {0.0, 0.25, 0.75})
+    {
+        ZoneSettings settings = kWide;
+        settings.hysteresis = threshold;
+        const auto zone = InterestZone::open(*file, settings);
+        (*zone)->moveTo(119.0, 50.0);
+        const std::uint64_t reads = (*zone)->reads();
+        const std::size_t memory = (*zone)->memoryBytes();
+        moveAlong(**zone, checked, 119.0, 240.0);
+        EXPECT_EQ((*zone)->reads(), reads) << threshold;
+        EXPECT_LT((*zone)->memoryBytes(), memory / 2) << threshold;
+        moveAlong(**zone, checked, 240.0, 119.0); // the control: coming back has to read
+        EXPECT_GT((*zone)->reads(), reads) << threshold;
+    }
+}
+
+TEST(InterestZone, anEyeThatApproachesReadsEachSectionOnce)
+{
+    const HillFile here;
+    const auto file = MtFile::open(here.path);
+    const testsupport::CheckedSurface checked(here.mesh);
+    const auto zone = InterestZone::open(*file, kWide);
+    moveAlong(**zone, checked, 240.0, 119.0);
+    std::uint64_t atOnce = 0, tables = 0;
+    for (const MtEntry& tree : file->info().trees)
+    {
+        atOnce += tree.bytes;
+        tables += sectionTableBytes(tree.fragments);
+    }
+    EXPECT_GT((*zone)->reads(), file->info().trees.size() / 2);
+    EXPECT_LT((*zone)->readBytes(), atOnce + (*zone)->reads() * tables / file->info().trees.size());
+}
+
+TEST(InterestZone, anEyeThatSwingsReadsNothingWithinTheThreshold)
+{
+    const HillFile here;
+    const auto file = MtFile::open(here.path);
+    const auto readsOf = [&](double threshold)
+    {
+        ZoneSettings settings = kWide;
+        settings.hysteresis = threshold;
+        const auto zone = InterestZone::open(*file, settings);
+        std::uint64_t before = 0;
+        for (int step = 0; step < 100; ++step)
+        {
+            if (step == 20) before = (*zone)->reads();
+            (*zone)->moveTo(60.0 + 3.0 * std::sin(0.3 * step), 50.0);
+        }
+        return (*zone)->reads() - before;
+    };
+    EXPECT_EQ(readsOf(0.25), 0u);
+    EXPECT_GT(readsOf(0.0), 0u) << "the control";
+}
+
+TEST(InterestZone, treesAreThoseOfTheFileHoweverTheyCameAbout)
+{
+    const HillFile here;
+    const auto file = MtFile::open(here.path);
+    std::vector<ReadTree> whole;
+    for (std::uint32_t t = 0; t < file->info().trees.size(); ++t)
+        whole.push_back(*file->read(t, t == 0 ? nullptr : &whole[file->info().trees[t].parent]));
+    const auto zone = InterestZone::open(*file, kWide);
+    std::size_t inPart = 0;
+    for (int step = 0; step < 60; ++step)
+    {
+        (*zone)->moveTo(60.0 + 90.0 * std::sin(0.4 * step), 50.0 + 60.0 * std::cos(0.23 * step));
+        refineTo((*zone)->extraction(), 0.0f);
+        for (std::uint32_t t = 1; t < whole.size(); ++t)
+        {
+            if (!(*zone)->extraction().isAttached(t)) continue;
+            const MultiTriangulation& part = (*zone)->extraction().part(t);
+            MultiTriangulation wanted = whole[t].tree.part;
+            if (part.fragments.size() < wanted.fragments.size()) ++inPart;
+            keepFragments(wanted, part.fragments.size());
+            ASSERT_EQ(part, wanted) << step << ' ' << t;
+        }
+    }
+    EXPECT_GT(inPart, 100u);
+}
+
+TEST(InterestZone, aDamagedSectionLeavesThoseBefore)
+{
+    const HillFile here;
+    std::string bytes = testsupport::bytesOf(here.path);
+    const auto whole = MtFile::open(here.path);
+    const auto last = static_cast<std::uint32_t>(whole->info().trees.size() - 1);
+    const MtEntry tree = whole->info().trees[last];
+    bytes[tree.offset + tree.bytes - 200] ^= 1;
+    std::ofstream(here.path, std::ios::binary) << bytes;
+    const auto file = MtFile::open(here.path);
+    const std::uint32_t sound = file->soundFragments(last);
+    ASSERT_GT(sound, 0u);
+    const testsupport::CheckedSurface checked(here.mesh);
+    for (const bool isNearAtOnce : {true, false})
+    {
+        const auto zone = InterestZone::open(*file, kWide);
+        const double x = 0.5 * (tree.low[0] + tree.high[0]), y = 0.5 * (tree.low[1] + tree.high[1]);
+        for (int step = isNearAtOnce ? 100 : 0; step <= 100; ++step)
+        {
+            (*zone)->moveTo(x + 100.0 - step, y);
+            refineTo((*zone)->extraction(), 0.1f);
+            ASSERT_EQ(checked.fault((*zone)->extraction()), std::nullopt) << step;
+        }
+        EXPECT_EQ((*zone)->faults().size(), 1u);
+        ASSERT_TRUE((*zone)->extraction().isAttached(last));
+        EXPECT_EQ((*zone)->extraction().part(last).fragments.size(), sound);
+    }
 }
 
 TEST(InterestZone, aDamagedTreeIsToldOnceAndTheSurfaceGoesOnCoarser)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstring>
 #include <fstream>
 #include <optional>
 
@@ -7,8 +8,10 @@
 #include <osgMultiTriangulation/core/check/StructureCheck.h>
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
 #include <osgMultiTriangulation/core/file/MtFile.h>
+#include <osgMultiTriangulation/core/structure/KeepFragments.h>
 
 #include "HillSurface.h"
+#include "MtCheckSums.h"
 #include "TestFolder.h"
 
 namespace osgMultiTriangulation::core
@@ -17,7 +20,7 @@ namespace osgMultiTriangulation::core
 namespace
 {
 
-void put(const std::filesystem::path& file, const std::string& bytes)
+void writeBytes(const std::filesystem::path& file, const std::string& bytes)
 {
     std::ofstream(file, std::ios::binary) << bytes;
 }
@@ -87,13 +90,116 @@ TEST(MtFile, aPrefixOfATreeIsATree)
     ASSERT_TRUE(buildMtFile(testsupport::hillSurface(60, 50), {}, sevenRectangles(), file));
     const auto opened = MtFile::open(file);
     ASSERT_TRUE(opened);
-    for (const std::size_t fragments : {0u, 1u, 100u})
+    const std::uint32_t all = opened->info().trees[0].fragments;
+    ASSERT_GT(all, 2 * kSectionFragments);
+    for (const std::uint32_t fragments : {0u, 1u, 128u, 200u, 256u, all})
     {
         const auto read = opened->read(0, nullptr, fragments);
         ASSERT_TRUE(read);
-        EXPECT_EQ(read->tree.part.fragments.size(), fragments);
+        EXPECT_EQ(read->tree.part.fragments.size(), wholeSections(all, fragments));
         EXPECT_EQ(checkStructure(read->tree.part), std::nullopt);
+        EXPECT_EQ(read->readBytes == opened->info().trees[0].bytes, fragments == all);
     }
+}
+
+TEST(MtFile, aTreeReadInPartsAndCutInMemoryIsThatOfTheFile)
+{
+    const testsupport::TestFolder folder("mt-file");
+    const std::filesystem::path file = folder / "hills.mt";
+    ASSERT_TRUE(buildMtFile(testsupport::hillSurface(60, 50), {}, sevenRectangles(), file));
+    const auto opened = MtFile::open(file);
+    ASSERT_TRUE(opened);
+    const std::size_t all = opened->info().trees[0].fragments;
+    auto read = opened->read(0, nullptr, 0);
+    ASSERT_TRUE(read);
+    testsupport::Random random(4);
+    for (int i = 0; i < 60; ++i)
+    {
+        const std::size_t wanted =
+            i % 7 == 6 ? all : wholeSections(all, random.below(static_cast<std::uint32_t>(all)));
+        if (wanted > read->tree.part.fragments.size())
+        {
+            ASSERT_TRUE(opened->readMore(0, *read, wanted));
+        }
+        else
+        {
+            keepFragments(read->tree.part, wanted);
+            if (wanted < all) read->childRoots = {};
+        }
+        const auto fresh = opened->read(0, nullptr, wanted);
+        ASSERT_EQ(read->tree, fresh->tree) << wanted;
+        ASSERT_EQ(read->childRoots, fresh->childRoots);
+    }
+}
+
+/// Writes a file anew as version 1 had it: no tables of sections, a checksum for each tree.
+void writeVersion1(const MtFile& file, const std::filesystem::path& path)
+{
+    const std::string bytes = testsupport::bytesOf(file.path());
+    std::string head = bytes.substr(0, 80 + 56 * file.info().trees.size()), trees;
+    const auto put = [&](std::size_t at, auto value) { std::memcpy(head.data() + at, &value, sizeof value); };
+    put(8, std::uint32_t{1});
+    for (std::size_t t = 0; t < file.info().trees.size(); ++t)
+    {
+        const MtEntry& entry = file.info().trees[t];
+        const std::size_t table = sectionTableBytes(entry.fragments);
+        const std::string tree = bytes.substr(entry.offset + table, entry.bytes - table);
+        put(80 + 56 * t, std::uint64_t{head.size() + trees.size()});
+        put(80 + 56 * t + 8, static_cast<std::uint32_t>(tree.size()));
+        put(80 + 56 * t + 12, testsupport::sumOf(tree));
+        trees += tree;
+    }
+    put(72, testsupport::sumOf(head.substr(80)));
+    put(76, testsupport::sumOf(head.substr(0, 76)));
+    writeBytes(path, head + trees);
+}
+
+TEST(MtFile, aFileOfVersion1IsRead)
+{
+    const testsupport::TestFolder folder("mt-file");
+    const std::filesystem::path file = folder / "hills.mt", old = folder / "old.mt";
+    ASSERT_TRUE(buildMtFile(testsupport::hillSurface(60, 50), {}, sevenRectangles(), file));
+    const auto opened = MtFile::open(file);
+    writeVersion1(*opened, old);
+    const auto first = MtFile::open(old);
+    ASSERT_TRUE(first) << first.error().message();
+    EXPECT_EQ(first->version(), 1u);
+    EXPECT_EQ(opened->version(), 2u);
+    const WholeRead read = readAll(*first);
+    EXPECT_TRUE(read.complaints.empty());
+    EXPECT_EQ(read.forest.trees, readAll(*opened).forest.trees);
+    auto part = first->read(0, nullptr, kSectionFragments);
+    ASSERT_TRUE(part);
+    EXPECT_EQ(part->tree, opened->read(0, nullptr, kSectionFragments)->tree);
+    ASSERT_TRUE(first->readMore(0, *part, opened->info().trees[0].fragments));
+    EXPECT_EQ(part->tree, opened->read(0, nullptr)->tree);
+    std::string next = testsupport::bytesOf(file);
+    next[8] = 3;
+    writeBytes(old, next);
+    EXPECT_NE(MtFile::open(old).error().message().find("is of version 3"), std::string::npos);
+}
+
+TEST(MtFile, damageLateInATreeLeavesWhatIsBefore)
+{
+    const testsupport::TestFolder folder("mt-file");
+    const std::filesystem::path file = folder / "hills.mt";
+    ASSERT_TRUE(buildMtFile(testsupport::hillSurface(60, 50), {}, sevenRectangles(), file));
+    std::string bytes = testsupport::bytesOf(file);
+    const MtEntry entry = MtFile::open(file)->info().trees[0];
+    bytes[entry.offset + entry.bytes / 2] ^= 1;
+    writeBytes(file, bytes);
+    const auto opened = MtFile::open(file);
+    const auto fault = opened->read(0, nullptr);
+    ASSERT_FALSE(fault);
+    EXPECT_NE(fault.error().message().find("tree 0 is damaged"), std::string::npos);
+    const std::uint32_t sound = opened->soundFragments(0);
+    EXPECT_GE(sound, kSectionFragments);
+    EXPECT_LT(sound, entry.fragments);
+    auto read = opened->read(0, nullptr, sound);
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(opened->readMore(0, *read, entry.fragments));
+    EXPECT_EQ(read->tree.part.fragments.size(), sound);
+    EXPECT_EQ(checkStructure(read->tree.part), std::nullopt);
 }
 
 TEST(MtFile, aBuildThatWasStoppedAnywhereGoesOnToTheSameBytes)
@@ -111,11 +217,11 @@ TEST(MtFile, aBuildThatWasStoppedAnywhereGoesOnToTheSameBytes)
         EXPECT_FALSE(buildMtFile(mesh, {}, options, file));
         EXPECT_FALSE(std::filesystem::exists(file));
         if (stop % 3 == 0) // a part that was being written
-            put(folder / "hills.mt.parts" / "0.tree", "half");
+            writeBytes(folder / "hills.mt.parts" / "0.tree", "half");
         if (stop % 3 == 1) // one that was damaged
             for (const auto& entry : std::filesystem::directory_iterator(folder / "hills.mt.parts"))
                 if (entry.path().extension() == ".rest")
-                    put(entry.path(), testsupport::bytesOf(entry.path()).substr(1));
+                    writeBytes(entry.path(), testsupport::bytesOf(entry.path()).substr(1));
         built = 0;
         options.progress = [&](std::uint32_t, std::uint32_t) { return ++built > 0; };
         ASSERT_TRUE(buildMtFile(mesh, {}, options, file));
@@ -154,13 +260,13 @@ TEST(MtFile, damageIsToldForEachTreeAndTheOthersStay)
     const std::uint32_t last = static_cast<std::uint32_t>(trees) - 1;
     std::string flipped = bytes;
     flipped[opened->info().trees[last].offset + 40] ^= 4;
-    put(bad, flipped);
+    writeBytes(bad, flipped);
     WholeRead read = readAll(*MtFile::open(bad));
     ASSERT_EQ(read.complaints.size(), 1u);
     EXPECT_NE(read.complaints[0].find("tree " + std::to_string(last) + " is damaged"), std::string::npos)
         << read.complaints[0];
     EXPECT_EQ(read.forest.trees.size(), trees - 1);
-    put(bad, bytes.substr(0, opened->info().trees[2].offset + 10));
+    writeBytes(bad, bytes.substr(0, opened->info().trees[2].offset + 10));
     read = readAll(*MtFile::open(bad));
     EXPECT_GE(read.forest.trees.size(), 1u);
     EXPECT_FALSE(read.complaints.empty());
@@ -169,7 +275,7 @@ TEST(MtFile, damageIsToldForEachTreeAndTheOthersStay)
     {
         flipped = bytes;
         flipped[at] ^= 16;
-        put(bad, flipped);
+        writeBytes(bad, flipped);
         EXPECT_FALSE(MtFile::open(bad)) << at;
     }
 }
@@ -201,7 +307,7 @@ TEST(MtFile, missingAndForeignFilesAreTold)
 {
     const testsupport::TestFolder folder("mt-file");
     EXPECT_NE(MtFile::open(folder / "none.mt").error().message().find("cannot be opened"), std::string::npos);
-    put(folder / "text.mt", "hello");
+    writeBytes(folder / "text.mt", "hello");
     EXPECT_NE(MtFile::open(folder / "text.mt").error().message().find("not a .mt file"), std::string::npos);
     const auto report =
         buildMtFile(testsupport::hillSurface(20, 20), {}, {}, folder / "no" / "such" / "x.mt");

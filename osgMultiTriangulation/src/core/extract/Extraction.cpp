@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cassert>
 #include <unordered_map>
 
@@ -52,6 +53,25 @@ void Extraction::detach(std::uint32_t number)
         if (wasActive) activate(above);
     }
     _trees[number] = {};
+}
+
+void Extraction::extend(std::uint32_t number)
+{
+    Tree& own = _trees[number];
+    own.isApplied.resize(own.source->part.fragments.size(), false);
+    own.slots.resize(own.source->part.triangleCount(), kNone);
+}
+
+void Extraction::truncate(std::uint32_t number, std::size_t fragments)
+{
+    Tree& own = _trees[number];
+    for (std::size_t f = own.isApplied.size(); f-- > fragments;)
+        if (own.isApplied[f]) takeBackAll({number, static_cast<std::uint32_t>(f)});
+    const MultiTriangulation& part = own.source->part;
+    if (fragments < part.fragments.size()) own.slots.resize(part.fragments[fragments].firstTriangle);
+    own.slots.shrink_to_fit();
+    own.isApplied.resize(std::min(fragments, own.isApplied.size()));
+    own.below = {};
 }
 
 /// Returns a triangle as the root of the lowest tree that has it.

@@ -14,7 +14,7 @@ namespace osgMultiTriangulation::core
 {
 
 constexpr char kMtMagic[8] = {'o', 's', 'g', 'M', 'T', '\r', '\n', '\x1a'};
-constexpr std::uint32_t kMtVersion = 1;
+constexpr std::uint32_t kMtVersion = 2, kMtOldestVersion = 1; // 1: trees have no sections
 constexpr std::size_t kMtHeaderBytes = 80, kMtEntryBytes = 56;
 
 /// Appends numbers, the lowest byte first.

@@ -39,7 +39,8 @@ EncodedTree encodedTree(const TreeRecord& record, std::uint32_t parent, double h
     EncodedTree encoded{{}, encodeTree(record, heightStep)};
     MtEntry& entry = encoded.entry;
     entry.bytes = static_cast<std::uint32_t>(encoded.bytes.size());
-    entry.checksum = mtChecksum({reinterpret_cast<const char*>(encoded.bytes.data()), encoded.bytes.size()});
+    const std::size_t table = sectionTableBytes(static_cast<std::uint32_t>(record.part.fragments.size()));
+    entry.checksum = mtChecksum({reinterpret_cast<const char*>(encoded.bytes.data()), table});
     entry.parent = parent;
     entry.points = static_cast<std::uint32_t>(tree.points.size());
     entry.triangles = tree.triangleCount();

@@ -9,6 +9,8 @@
 #include <osgMultiTriangulation/core/surface/HeightStep.h>
 #include <osgPMObjects/core/progressive/Bytes.h>
 
+#include "MtHeader.h"
+
 namespace osgMultiTriangulation::core
 {
 
@@ -48,13 +50,40 @@ public:
             }
             addError(t);
         }
+        endSection();
         for (std::uint32_t f = 0; f < _tree.fragments.size(); ++f)
+        {
             addFragment(f);
+            if ((f + 1) % kSectionFragments == 0 || f + 1 == _tree.fragments.size()) endSection();
+        }
         addTies();
-        return std::move(_bytes);
+        endSection();
+        return withTable();
     }
 
 private:
+    void endSection()
+    {
+        const std::span<const std::byte> section = std::span(_bytes).subspan(_begin);
+        _begin = _bytes.size();
+        const auto* chars = reinterpret_cast<const char*>(section.data());
+        _sections.push_back(
+            {static_cast<std::uint32_t>(section.size()), mtChecksum({chars, section.size()})});
+    }
+
+    std::vector<std::byte> withTable() const
+    {
+        std::vector<std::byte> all;
+        appendFixed(all, _sections.size(), 4);
+        for (const TreeSection& section : _sections)
+        {
+            appendFixed(all, section.bytes, 4);
+            appendFixed(all, section.checksum, 4);
+        }
+        all.insert(all.end(), _bytes.begin(), _bytes.end());
+        return all;
+    }
+
     void addFragment(std::uint32_t f)
     {
         const Fragment& own = _tree.fragments[f];
@@ -97,6 +126,8 @@ private:
     const MultiTriangulation& _tree;
     double _heightStep;
     std::vector<std::byte> _bytes;
+    std::size_t _begin = 0; ///< of the section that is being written
+    std::vector<TreeSection> _sections;
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <osgMultiTriangulation/core/file/TreeCode.h>
 #include <osgMultiTriangulation/core/structure/ErrorCode.h>
+#include <osgMultiTriangulation/core/structure/KeepFragments.h>
 #include <osgMultiTriangulation/core/structure/StarRing.h>
 #include <osgPMObjects/core/progressive/CheckedReader.h>
 
@@ -18,38 +19,60 @@ namespace
 using osgPMObjects::core::CheckedReader;
 using osgPMObjects::core::FixedWidth;
 
+/// Reads bytes of a tree in their order, all of it or a section.
 class TreeDecoder
 {
 public:
-    TreeDecoder(std::span<const std::byte> bytes, double heightStep)
-        : _reader(bytes.data(), bytes.data() + bytes.size()),
+    TreeDecoder(std::span<const std::byte> bytes, double heightStep, MultiTriangulation& tree)
+        : _tree(tree),
+          _reader(bytes.data(), bytes.data() + bytes.size()),
           _end(bytes.data() + bytes.size()),
           _heightStep(heightStep)
     {
     }
 
-    std::optional<TreeRecord> decode(std::size_t most)
+    /// `isWhole`: the fragments follow, so there must be room for them.
+    bool readHead(std::uint32_t& fragments, bool isWhole)
     {
-        MultiTriangulation& tree = _record.part;
-        tree.rootPoints = _reader.number();
-        tree.rootTriangles = _reader.number();
-        const std::size_t fragments = _reader.number();
-        if (!isRoomFor(tree.rootPoints, 3) || !isRoomFor(tree.rootTriangles, 5) || !isRoomFor(fragments, 9))
-            return std::nullopt;
-        const std::size_t wanted = std::min(fragments, most);
-        tree.points.reserve(tree.rootPoints + wanted);
-        for (auto* list : {&tree.lower, &tree.upper})
-            list->reserve(tree.rootTriangles + 6 * wanted);
-        tree.corners.reserve(tree.rootTriangles + 6 * wanted);
-        tree.errors.reserve(tree.rootTriangles + 6 * wanted);
-        tree.floors.reserve(4 * wanted);
-        tree.fragments.reserve(wanted);
-        if (!readRoot()) return std::nullopt;
-        for (std::uint32_t f = 0; f < wanted; ++f)
-            if (!readFragment(f)) return std::nullopt;
-        if (wanted == fragments && (!readTies() || _reader.at() != _end)) return std::nullopt;
-        return std::move(_record);
+        _tree.rootPoints = _reader.number();
+        _tree.rootTriangles = _reader.number();
+        fragments = _reader.number();
+        if (!isRoomFor(_tree.rootPoints, 3) || !isRoomFor(_tree.rootTriangles, 5)) return false;
+        if (isWhole && !isRoomFor(fragments, 9)) return false;
+        _tree.points.reserve(_tree.rootPoints);
+        return readRoot();
     }
+
+    bool readFragments(std::size_t count)
+    {
+        if (!isRoomFor(count, 9)) return false;
+        for (std::size_t f = 0; f < count; ++f)
+            if (!readFragment(static_cast<std::uint32_t>(_tree.fragments.size()))) return false;
+        return true;
+    }
+
+    bool readTies(std::vector<std::vector<std::uint32_t>>& childRoots)
+    {
+        const std::uint32_t lists = _reader.number();
+        if (!_reader.isGood() || lists > 64) return false;
+        for (std::uint32_t l = 0; l < lists; ++l)
+        {
+            const std::uint32_t count = _reader.number();
+            if (!isRoomFor(count, 1)) return false;
+            std::vector<std::uint32_t>& roots = childRoots.emplace_back();
+            std::int64_t root = 0;
+            for (std::uint32_t i = 0; i < count; ++i)
+            {
+                root += _reader.difference();
+                if (!_reader.isGood() || root < 0 || root >= _tree.triangleCount()) return false;
+                if (_tree.lower[root] != kNone) return false;
+                roots.push_back(static_cast<std::uint32_t>(root));
+            }
+        }
+        return _reader.isGood();
+    }
+
+    bool isAtEnd() const { return _reader.isGood() && _reader.at() == _end; }
 
 private:
     /// So that a number from a damaged file reserves no more memory than the file is long.
@@ -60,7 +83,7 @@ private:
 
     bool readRoot()
     {
-        MultiTriangulation& tree = _record.part;
+        MultiTriangulation& tree = _tree;
         SurfacePoint before;
         for (std::uint32_t p = 0; p < tree.rootPoints; ++p)
         {
@@ -87,7 +110,7 @@ private:
 
     bool readFragment(std::uint32_t number)
     {
-        MultiTriangulation& tree = _record.part;
+        MultiTriangulation& tree = _tree;
         Fragment own;
         own.firstTriangle = tree.triangleCount();
         own.firstFloor = static_cast<std::uint32_t>(tree.floors.size());
@@ -120,7 +143,7 @@ private:
     bool addTriangle(const Triangle& corners, std::uint32_t upper)
     {
         static const FixedWidth kTwoBytes(2);
-        MultiTriangulation& tree = _record.part;
+        MultiTriangulation& tree = _tree;
         tree.corners.push_back(corners);
         tree.errors.push_back(errorOfCode(static_cast<std::uint16_t>(_reader.fixed(kTwoBytes))));
         tree.upper.push_back(upper);
@@ -146,39 +169,107 @@ private:
         return _reader.isGood() && std::isfinite(height);
     }
 
-    bool readTies()
-    {
-        const std::uint32_t lists = _reader.number();
-        if (!_reader.isGood() || lists > 64) return false;
-        for (std::uint32_t l = 0; l < lists; ++l)
-        {
-            const std::uint32_t count = _reader.number();
-            if (!isRoomFor(count, 1)) return false;
-            std::vector<std::uint32_t>& roots = _record.childRoots.emplace_back();
-            std::int64_t root = 0;
-            for (std::uint32_t i = 0; i < count; ++i)
-            {
-                root += _reader.difference();
-                if (!_reader.isGood() || root < 0 || root >= _record.part.triangleCount()) return false;
-                if (_record.part.lower[root] != kNone) return false;
-                roots.push_back(static_cast<std::uint32_t>(root));
-            }
-        }
-        return _reader.isGood();
-    }
-
+    MultiTriangulation& _tree;
     CheckedReader _reader;
     const std::byte* _end;
     double _heightStep;
-    TreeRecord _record;
 };
 
 } // namespace
 
-std::optional<TreeRecord> decodeTree(std::span<const std::byte> bytes, double heightStep,
-                                     std::size_t fragments)
+std::optional<std::vector<TreeSection>> readSectionTable(std::span<const std::byte> bytes, std::size_t whole)
 {
-    return TreeDecoder(bytes, heightStep).decode(fragments);
+    static const FixedWidth kFourBytes(4);
+    CheckedReader reader(bytes.data(), bytes.data() + bytes.size());
+    const std::size_t count = reader.fixed(kFourBytes);
+    if (!reader.isGood() || count < 2 || count > (bytes.size() - 4) / 8) return std::nullopt;
+    std::vector<TreeSection> sections(count);
+    std::size_t all = 4 + 8 * count;
+    for (TreeSection& section : sections)
+    {
+        section.bytes = reader.fixed(kFourBytes);
+        section.checksum = reader.fixed(kFourBytes);
+        all += section.bytes;
+    }
+    if (all != whole) return std::nullopt;
+    return sections;
+}
+
+void reserveFragments(MultiTriangulation& tree, std::size_t fragments)
+{
+    const std::size_t triangles = tree.rootTriangles + 6 * fragments;
+    tree.points.reserve(tree.rootPoints + fragments);
+    tree.lower.reserve(triangles);
+    tree.upper.reserve(triangles);
+    tree.corners.reserve(triangles);
+    tree.errors.reserve(triangles);
+    tree.floors.reserve(4 * fragments);
+    tree.fragments.reserve(fragments);
+}
+
+bool decodeRoot(std::span<const std::byte> bytes, double heightStep, MultiTriangulation& tree,
+                std::uint32_t& fragments)
+{
+    TreeDecoder decoder(bytes, heightStep, tree);
+    return decoder.readHead(fragments, false) && decoder.isAtEnd();
+}
+
+bool decodeFragments(std::span<const std::byte> bytes, double heightStep, std::uint32_t count,
+                     MultiTriangulation& tree)
+{
+    const std::size_t before = tree.fragments.size();
+    TreeDecoder decoder(bytes, heightStep, tree);
+    if (decoder.readFragments(count) && decoder.isAtEnd()) return true;
+    keepFragments(tree, before);
+    return false;
+}
+
+bool decodeTies(std::span<const std::byte> bytes, TreeRecord& record)
+{
+    TreeDecoder decoder(bytes, 0.0, record.part);
+    if (decoder.readTies(record.childRoots) && decoder.isAtEnd()) return true;
+    record.childRoots.clear();
+    return false;
+}
+
+std::optional<TreeRecord> decodeTree(std::span<const std::byte> bytes, double heightStep, std::size_t most)
+{
+    const auto sections = readSectionTable(bytes, bytes.size());
+    if (!sections) return std::nullopt;
+    TreeRecord record;
+    std::span<const std::byte> left = bytes.subspan(4 + 8 * sections->size());
+    const auto next = [&](std::size_t section)
+    {
+        const std::span<const std::byte> own = left.first((*sections)[section].bytes);
+        left = left.subspan(own.size());
+        return own;
+    };
+    std::uint32_t fragments = 0;
+    if (!decodeRoot(next(0), heightStep, record.part, fragments)) return std::nullopt;
+    if (sections->size() != sectionsFor(fragments) || left.size() / 9 < fragments) return std::nullopt;
+    const auto wanted = static_cast<std::uint32_t>(wholeSections(fragments, most));
+    reserveFragments(record.part, wanted);
+    for (std::uint32_t f = 0; f < wanted; f += kSectionFragments)
+        if (!decodeFragments(next(1 + f / kSectionFragments), heightStep,
+                             std::min(kSectionFragments, wanted - f), record.part))
+            return std::nullopt;
+    if (wanted == fragments && !decodeTies(left, record)) return std::nullopt;
+    return record;
+}
+
+std::optional<TreeRecord> decodeWholeTree(std::span<const std::byte> bytes, double heightStep,
+                                          std::size_t most)
+{
+    TreeRecord record;
+    TreeDecoder decoder(bytes, heightStep, record.part);
+    std::uint32_t fragments = 0;
+    if (!decoder.readHead(fragments, true)) return std::nullopt;
+    const std::size_t wanted = wholeSections(fragments, most);
+    reserveFragments(record.part, wanted);
+    if (!decoder.readFragments(wanted)) return std::nullopt;
+    if (wanted == fragments && (!decoder.readTies(record.childRoots) || !decoder.isAtEnd()))
+        return std::nullopt;
+    return record;
 }
 
 } // namespace osgMultiTriangulation::core

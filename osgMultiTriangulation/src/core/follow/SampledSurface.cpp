@@ -52,7 +52,7 @@ public:
         const MtEntry& entry = _file.info().trees[number];
         const bool isLast = _file.childrenOf(number).empty();
         const auto fragments = static_cast<std::size_t>(std::ceil((isLast ? _share : 1.0) * entry.fragments));
-        const auto read = _file.read(number, parent, fragments);
+        const auto read = _file.read(number, parent, fragments + kSectionFragments - 1); // no less, then
         if (!read) return read.error();
         const MultiTriangulation& tree = read->tree.part;
         for (std::uint32_t t = 0; t < tree.triangleCount(); ++t)

@@ -5,6 +5,7 @@
 #include <set>
 #include <thread>
 
+#include <osgMultiTriangulation/core/structure/KeepFragments.h>
 #include <osgMultiTriangulation/core/zone/InterestZone.h>
 
 namespace osgMultiTriangulation::core
@@ -14,9 +15,11 @@ InterestZone::InterestZone(const MtFile& file, const ZoneSettings& settings)
     : _file(file), _settings(settings), _index(file.info().trees)
 {
     const std::vector<MtEntry>& trees = file.info().trees;
-    _isDamaged.assign(trees.size(), false);
     for (const MtEntry& tree : trees)
+    {
+        _sound.push_back(tree.fragments);
         _errors.push_back(tree.rootError);
+    }
     for (std::size_t t = trees.size(); t-- > 1;)
         _errors[trees[t].parent] = std::max(_errors[trees[t].parent], _errors[t]);
     _greatestError = _errors[0];
@@ -35,7 +38,7 @@ foundation::Result<std::unique_ptr<InterestZone>> InterestZone::open(const MtFil
     auto read = file.read(0, nullptr);
     if (!read) return read.error();
     zone->_reads = 1;
-    zone->_readBytes = main.bytes;
+    zone->_readBytes = read->readBytes;
     const auto [loaded, isNew] = zone->_loaded.emplace(0, std::make_unique<ReadTree>(std::move(*read)));
     zone->_extractions.push_back(std::make_unique<Extraction>(loaded->second->tree));
     zone->countMemory();
@@ -86,39 +89,68 @@ std::vector<std::pair<double, std::uint32_t>> InterestZone::inReach(std::span<co
     return byDistance;
 }
 
-/// Decides what is loaded: how many fragments of each tree, the main part's always.
+/// How many fragments of a tree are wanted at a distance.
+std::uint32_t InterestZone::fragmentsAt(std::uint32_t tree, double distance) const
+{
+    const double range = std::max(_settings.nothingBeyond - _settings.completeWithin, 1e-9);
+    const double level = std::min(1.0, (_settings.nothingBeyond - distance) / range);
+    return static_cast<std::uint32_t>(std::lround(level * _file.info().trees[tree].fragments));
+}
+
+std::uint32_t InterestZone::heldFragments(std::uint32_t tree) const
+{
+    const auto loaded = _loaded.find(tree);
+    return loaded == _loaded.end() ? 0
+                                   : static_cast<std::uint32_t>(loaded->second->tree.part.fragments.size());
+}
+
+/// How many fragments a tree shall have where so many are wanted: those that it has, while they are within
+/// the threshold on either side, else whole sections. All are exact.
+InterestZone::Level InterestZone::levelFor(std::uint32_t tree, std::uint32_t wanted) const
+{
+    const std::uint32_t all = _file.info().trees[tree].fragments, now = heldFragments(tree);
+    const auto whole =
+        static_cast<std::uint32_t>(wholeSections(all, std::size_t{wanted} + kSectionFragments - 1));
+    const std::uint32_t exact = std::min(whole, _sound[tree]);
+    const bool isNear =
+        now > 0 && wanted < all && std::abs(double(now) - wanted) <= _settings.hysteresis * wanted;
+    if (!isNear) return {exact, exact};
+    return {std::min(now, exact), now};
+}
+
+/// Decides what shall be in memory: how many fragments of each tree, the main part's always. Trees keep more
+/// than is wanted only where all others have what they want.
 InterestZone::Plan InterestZone::planFor(std::span<const ZoneEye> eyes, std::size_t views) const
 {
     const std::vector<MtEntry>& trees = _file.info().trees;
     Plan plan{{{0, trees[0].fragments}}, {}};
     std::size_t bytes = bytesOf(trees[0], trees[0].fragments, views);
+    const auto grow = [&](std::uint32_t tree, std::uint32_t from, std::uint32_t to)
+    { return bytesOf(trees[tree], to, views) - bytesOf(trees[tree], from, views); };
+    Wanted kept; // where it is more than is wanted
     for (const auto& [distance, t] : inReach(eyes))
     {
-        const auto parent = plan.wanted.find(trees[t].parent);
-        if (_isDamaged[t] || parent == plan.wanted.end()) continue;
-        const double range = std::max(_settings.nothingBeyond - _settings.completeWithin, 1e-9);
-        const double level = std::min(1.0, (_settings.nothingBeyond - distance) / range);
-        const auto fragments = static_cast<std::uint32_t>(std::lround(level * trees[t].fragments));
-        const MtEntry& above = trees[trees[t].parent];
-        const std::size_t more = bytesOf(trees[t], fragments, views) +
-                                 bytesOf(above, above.fragments, views) -
-                                 bytesOf(above, parent->second, views);
-        if (fragments == 0 || bytes + more > _settings.memoryBytes) continue;
-        parent->second = above.fragments;
-        plan.wanted[t] = fragments;
+        const std::uint32_t wanted = fragmentsAt(t, distance), above = trees[t].parent;
+        const auto parent = plan.wanted.find(above);
+        if (wanted == 0 || parent == plan.wanted.end() || _sound[above] < trees[above].fragments) continue;
+        const Level level = levelFor(t, wanted);
+        const std::size_t more =
+            bytesOf(trees[t], level.needed, views) + grow(above, parent->second, trees[above].fragments);
+        if (level.needed == 0 || bytes + more > _settings.memoryBytes) continue;
+        parent->second = trees[above].fragments;
+        plan.wanted[t] = level.needed;
         plan.order.push_back(t);
+        if (level.kept > level.needed) kept[t] = level.kept;
         bytes += more;
     }
+    for (const auto& [t, fragments] : kept)
+    {
+        std::uint32_t& planned = plan.wanted.at(t);
+        if (planned >= fragments || bytes + grow(t, planned, fragments) > _settings.memoryBytes) continue;
+        bytes += grow(t, planned, fragments);
+        planned = fragments;
+    }
     return plan;
-}
-
-/// Whether a loaded tree may stay as it is.
-bool InterestZone::isNearEnough(std::uint32_t tree, std::uint32_t wanted) const
-{
-    const double now = static_cast<double>(_loaded.at(tree)->tree.part.fragments.size());
-    const std::uint32_t all = _file.info().trees[tree].fragments;
-    if (wanted == all) return now == all;
-    return std::abs(now - wanted) <= _settings.hysteresis * wanted && now <= wanted;
 }
 
 void InterestZone::moveTo(double x, double y)
@@ -140,11 +172,15 @@ bool InterestZone::step(std::span<const ZoneEye> eyes)
     const Plan plan = planFor(eyes, views());
     dropUnwanted(plan.wanted);
     for (const std::uint32_t tree : plan.order)
-        if (!_loaded.contains(tree))
-        {
-            load(tree, plan.wanted.at(tree));
-            return false;
-        }
+    {
+        const std::uint32_t wanted = plan.wanted.at(tree);
+        if (heldFragments(tree) >= wanted) continue;
+        if (_loaded.contains(tree))
+            loadMore(tree, wanted);
+        else
+            load(tree, wanted);
+        return false;
+    }
     return true;
 }
 
@@ -170,14 +206,11 @@ void InterestZone::dropUnwanted(const Wanted& wanted)
 {
     std::set<std::uint32_t> leaving;
     for (const auto& [tree, loaded] : _loaded) // parents come before children
-    {
-        const auto found = wanted.find(tree);
-        const std::uint32_t parent = _file.info().trees[tree].parent;
-        if (found == wanted.end() || !isNearEnough(tree, found->second) || leaving.contains(parent))
-            leaving.insert(tree);
-    }
+        if (!wanted.contains(tree)) leaving.insert(tree);
     for (auto tree = leaving.rbegin(); tree != leaving.rend(); ++tree)
         drop(*tree);
+    for (const auto& [tree, fragments] : wanted)
+        if (heldFragments(tree) > fragments) truncate(tree, fragments);
     countMemory();
 }
 
@@ -188,27 +221,61 @@ void InterestZone::drop(std::uint32_t tree)
     _loaded.erase(tree);
 }
 
+/// Cuts a tree in memory.
+void InterestZone::truncate(std::uint32_t tree, std::uint32_t fragments)
+{
+    for (const auto& extraction : _extractions)
+        if (extraction) extraction->truncate(tree, fragments);
+    ReadTree& read = *_loaded.at(tree);
+    keepFragments(read.tree.part, fragments);
+    releaseMemory(read.tree.part);
+    read.childRoots = {};
+}
+
 void InterestZone::load(std::uint32_t tree, std::uint32_t fragments)
 {
-    const MtEntry& entry = _file.info().trees[tree];
-    const auto parent = _loaded.find(entry.parent);
+    const auto parent = _loaded.find(_file.info().trees[tree].parent);
     auto read = parent == _loaded.end()
                     ? foundation::Error{_file.path().string(), "its parent is damaged", ""}
                     : _file.read(tree, parent->second.get(), fragments);
-    ++_reads;
-    _readBytes += entry.bytes;
-    if (_settings.mostBytesPerS < std::numeric_limits<double>::infinity())
-        std::this_thread::sleep_for(std::chrono::duration<double>(entry.bytes / _settings.mostBytesPerS));
     if (!read)
     {
-        _isDamaged[tree] = true;
+        countRead(0);
+        const std::uint32_t sound = _file.soundFragments(tree);
+        _sound[tree] = sound < fragments ? sound : 0;
         _faults.push_back(read.error().message());
         return;
     }
+    countRead(read->readBytes);
     const auto [loaded, isNew] = _loaded.emplace(tree, std::make_unique<ReadTree>(std::move(*read)));
     for (const auto& extraction : _extractions)
         if (extraction) extraction->attach(tree, loaded->second->tree);
     countMemory();
+}
+
+/// Reads what is missing of a tree that is there in part.
+void InterestZone::loadMore(std::uint32_t tree, std::uint32_t fragments)
+{
+    ReadTree& read = *_loaded.at(tree);
+    const std::uint64_t before = read.readBytes;
+    const auto outcome = _file.readMore(tree, read, fragments);
+    countRead(read.readBytes - before);
+    for (const auto& extraction : _extractions)
+        if (extraction) extraction->extend(tree);
+    countMemory();
+    if (outcome) return;
+    const std::uint32_t all = _file.info().trees[tree].fragments; // if they are there, its ties are damaged
+    _sound[tree] = static_cast<std::uint32_t>(wholeSections(all, std::min(heldFragments(tree), all - 1)));
+    _faults.push_back(outcome.error().message());
+}
+
+void InterestZone::countRead(std::uint64_t bytes)
+{
+    ++_reads;
+    _readBytes += bytes;
+    if (_settings.mostBytesPerS < std::numeric_limits<double>::infinity())
+        std::this_thread::sleep_for(
+            std::chrono::duration<double>(static_cast<double>(bytes) / _settings.mostBytesPerS));
 }
 
 void InterestZone::countMemory()

@@ -38,6 +38,13 @@ public:
     /// Goes back to the root of a tree and leaves it. No child of it may be attached.
     void detach(std::uint32_t number);
 
+    /// Follows a tree that has got more fragments since it was attached.
+    void extend(std::uint32_t number);
+
+    /// Takes back the fragments of a tree from `fragments` on, which will leave it. No child of it may be
+    /// attached.
+    void truncate(std::uint32_t number, std::size_t fragments);
+
     bool isAttached(std::uint32_t number) const
     {
         return number < _trees.size() && _trees[number].source != nullptr;

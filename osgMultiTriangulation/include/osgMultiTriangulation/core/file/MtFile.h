@@ -22,6 +22,7 @@ struct ReadTree
 {
     ForestTree tree;
     std::vector<std::vector<std::uint32_t>> childRoots; ///< by child, in the order of their numbers
+    std::uint64_t readBytes = 0;                        ///< that were read for it so far
 };
 
 /// A file of a split multi-triangulation (.mt), read tree by tree. docs/reference/mt-file.md describes it.
@@ -39,17 +40,35 @@ public:
     /// The children of a tree, in the order of their numbers.
     std::span<const std::uint32_t> childrenOf(std::uint32_t tree) const { return _children[tree]; }
 
+    /// The version of the file's form. Trees of version 1 have no sections: each is read as a whole.
+    std::uint32_t version() const { return _version; }
+
     /// Reads a tree. `parent`: its parent, completely read; null for the main part. `fragments`: at most so
-    /// many.
+    /// many, in whole sections (TreeCode.h); nothing else is read.
     /// Errors: truncated, damaged, does not fit its parent; each names the tree. The other trees stay usable.
     foundation::Result<ReadTree> read(std::uint32_t tree, const ReadTree* parent,
                                       std::size_t fragments = std::numeric_limits<std::size_t>::max()) const;
 
+    /// Reads more sections of a tree of which some were read, up to `fragments`; what is there stays as it
+    /// is.
+    /// Errors: as above; the sections before the damage are there then.
+    foundation::Outcome readMore(std::uint32_t tree, ReadTree& read, std::size_t fragments) const;
+
+    /// Counts the fragments before the first damaged section of a tree, by the checksums alone.
+    std::uint32_t soundFragments(std::uint32_t tree) const;
+
 private:
     foundation::Error failure(const std::string& what) const;
     foundation::Outcome readDirectory(std::span<const char> header);
+    foundation::Result<std::vector<std::byte>> bytesAt(std::uint32_t tree, std::uint64_t offset,
+                                                       std::size_t count) const;
+    foundation::Result<std::vector<TreeSection>> sectionsOf(std::uint32_t tree) const;
+    foundation::Outcome readSections(std::uint32_t tree, ReadTree& read, std::size_t fragments) const;
+    foundation::Outcome readWhole(std::uint32_t tree, ReadTree& read, std::size_t fragments) const;
+    foundation::Outcome tieToParent(std::uint32_t tree, const ReadTree* parent, ReadTree& read) const;
 
     std::filesystem::path _file;
+    std::uint32_t _version = 0;
     MtInfo _info;
     std::vector<std::vector<std::uint32_t>> _children;
 };

@@ -14,7 +14,7 @@ struct MtEntry
 {
     std::uint64_t offset = 0; ///< of its bytes in the file
     std::uint32_t bytes = 0;
-    std::uint32_t checksum = 0;                     ///< CRC-32 of its bytes
+    std::uint32_t checksum = 0;                     ///< CRC-32 of the table of its sections
     std::uint32_t parent = 0;                       ///< 0xffffffff: the main part
     std::int32_t low[2] = {0, 0}, high[2] = {0, 0}; ///< its extent on the lattice
     std::uint32_t points = 0, triangles = 0, fragments = 0, rootTriangles = 0;

@@ -22,9 +22,12 @@ namespace osgMultiTriangulation::core
 /// Keeps the trees of a file in memory that are wanted around moving eyes, and an extraction over them for
 /// each view. A tree whose child is wanted is wanted completely. The nearest trees have the memory first;
 /// what does not fit is not loaded. Reading happens in moveTo() and step(), in the calling thread. A damaged
-/// tree is told once and then left out: the surface is coarser there.
+/// section of a tree is told once and then left out, with those after it: the surface is coarser there.
+/// A tree that is wanted in part is held in part. It stays as it is while it is within the threshold of what
+/// is wanted, on either side; it is cut in memory, and only what is missing is read.
 /// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), sections 4
-/// and 5. Differs: a tree is read anew when its level changes.
+/// and 5. Differs: levels are whole sections of a tree; where memory is short, trees keep no more than is
+/// wanted.
 /// Threads: one.
 class InterestZone
 {
@@ -38,8 +41,8 @@ public:
     void moveTo(double x, double y);
     void moveTo(std::span<const ZoneEye> eyes);
 
-    /// Does a part of what moveTo() does: drops what has to go, then loads one tree at most. Returns whether
-    /// all is as it is wanted.
+    /// Does a part of what moveTo() does: drops what has to go, then reads for one tree at most. Returns
+    /// whether all is as it is wanted.
     bool step(std::span<const ZoneEye> eyes);
 
     /// Adds a view with an extraction of its own over the same trees, and returns its number: that of another
@@ -61,21 +64,32 @@ public:
 
 private:
     using Wanted = std::map<std::uint32_t, std::uint32_t>; ///< fragments by tree
-    /// What is wanted, and the trees in the order in which they are loaded.
+    /// What shall be in memory, and the trees in the order in which they are loaded.
     struct Plan
     {
         Wanted wanted;
         std::vector<std::uint32_t> order;
     };
 
+    /// The fragments that a tree needs, and those that it may keep where there is memory.
+    struct Level
+    {
+        std::uint32_t needed = 0, kept = 0;
+    };
+
     InterestZone(const MtFile& file, const ZoneSettings& settings);
 
     std::vector<std::pair<double, std::uint32_t>> inReach(std::span<const ZoneEye> eyes) const;
     Plan planFor(std::span<const ZoneEye> eyes, std::size_t views) const;
-    bool isNearEnough(std::uint32_t tree, std::uint32_t wanted) const;
+    std::uint32_t fragmentsAt(std::uint32_t tree, double distance) const;
+    std::uint32_t heldFragments(std::uint32_t tree) const;
+    Level levelFor(std::uint32_t tree, std::uint32_t wanted) const;
     void dropUnwanted(const Wanted& wanted);
     void drop(std::uint32_t tree);
+    void truncate(std::uint32_t tree, std::uint32_t fragments);
     void load(std::uint32_t tree, std::uint32_t fragments);
+    void loadMore(std::uint32_t tree, std::uint32_t fragments);
+    void countRead(std::uint64_t bytes);
     void countMemory();
 
     const MtFile& _file;
@@ -85,8 +99,8 @@ private:
     float _greatestError = 0.0f;
     std::map<std::uint32_t, std::unique_ptr<ReadTree>> _loaded;
     std::vector<std::unique_ptr<Extraction>> _extractions;
-    std::vector<ZoneEye> _eyes; ///< the last
-    std::vector<bool> _isDamaged;
+    std::vector<ZoneEye> _eyes;        ///< the last
+    std::vector<std::uint32_t> _sound; ///< by tree: how many fragments can be read, as far as is known
     std::vector<std::string> _faults;
     std::size_t _memory = 0;
     std::uint64_t _reads = 0, _readBytes = 0;

@@ -15,8 +15,8 @@ struct ZoneSettings
     double nothingBeyond =
         1e12; ///< trees that are farther, not at all; between the two the level falls evenly
     std::size_t memoryBytes = 0; ///< that trees and the extractions over them may take
-    double hysteresis =
-        0.25; ///< a tree stays as it is while its level is within this share of the wanted one
+    /// a tree stays as it is while its level is within this share of the wanted one, above or below
+    double hysteresis = 0.25;
     double mostBytesPerS = std::numeric_limits<double>::infinity(); ///< reading is slowed down to this rate
 };
 
