@@ -8,6 +8,7 @@
 #include <osgTerrainROAM/core/heightfield/DemCheck.h>
 
 #include "terraintool/Commands.h"
+#include "terraintool/mt/ExtractMt.h"
 
 namespace terraintool
 {
@@ -105,6 +106,14 @@ foundation::Result<Report> info(const Request& request)
     Report report;
     for (const std::string& file : request.files)
     {
+        if (std::filesystem::path(file).extension() == ".mt")
+        {
+            const auto opened = osgMultiTriangulation::core::MtFile::open(file);
+            if (!opened) return opened.error();
+            report.json["files"].push_back(describeMt(*opened));
+            printInfo(report.json["files"].back());
+            continue;
+        }
         const auto description = describeTerrain(file, request.import);
         if (!description) return description.error();
         const auto tile = loadTile(*description);

@@ -32,7 +32,7 @@ int run(int argc, char** argv)
         sub->callback([&command, action] { command = action; });
         return sub;
     };
-    add("info", "size, heights, voids and placement", terraintool::info);
+    add("info", "size, heights, voids and placement; of a .mt file its trees", terraintool::info);
     CLI::App* validate =
         add("validate", "fly the tour, or a scenario (.xosc), and check every mesh by brute force",
             terraintool::validate);
@@ -51,6 +51,7 @@ int run(int argc, char** argv)
         ->check(CLI::IsMember({0, 2, 4, 6, 8, 10}));
     terraintool::addMtBuild(app, jsonFile, command);
     terraintool::addMtJobs(app, jsonFile, command);
+    terraintool::addMtExtract(app, jsonFile, command);
     terraintool::addMtFly(app, jsonFile, command);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terraintool::run(command, request, jsonFile);

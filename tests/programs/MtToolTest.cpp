@@ -37,6 +37,27 @@ TEST(MtTool, buildsAFileThatValidateFindsSound)
     EXPECT_EQ(found["faults"].size(), 0U);
 }
 
+TEST(MtTool, extractsTrianglesThatBuildTheSameAgain)
+{
+    const Workplace place;
+    ASSERT_TRUE(succeeds(runTerrainTool(building(place, "hill.mt"))));
+    EXPECT_TRUE(succeeds(runTerrainTool({"mt-extract", place.path("hill.mt"), "-o", place.path("t.ply"),
+                                         "--triangles", "500", "--json", place.path("t.json")})));
+    const auto taken = ordered_json::parse(readBytes(place.path("t.json")))["files"][0];
+    EXPECT_EQ(keysOf(taken),
+              (std::vector<std::string>{"file", "points", "triangles", "errorM", "trees", "ofTrees"}));
+    EXPECT_LE(taken["triangles"], 500);
+    EXPECT_TRUE(succeeds(runTerrainTool({"mt-build", place.path("t.ply"), "-o", place.path("t.mt")})));
+    EXPECT_TRUE(succeeds(runTerrainTool({"info", place.path("t.mt"), "--json", place.path("i.json")})));
+    const auto told = ordered_json::parse(readBytes(place.path("i.json")))["files"][0];
+    EXPECT_EQ(told["points"], taken["points"]);
+    EXPECT_EQ(told["triangles"], taken["triangles"]);
+    EXPECT_EQ(told["version"], 2);
+    EXPECT_TRUE(failsWith(runTerrainTool({"mt-extract", place.path("hill.mt"), "-o", place.path("t.stl")}), 2,
+                          "terraintool", {".obj"}));
+    EXPECT_TRUE(failsWith(runTerrainTool({"info", place.path("t.ply.mt")}), 1, "terraintool", {"t.ply.mt"}));
+}
+
 TEST(MtTool, oneThreadAndFourWriteTheSameBytes)
 {
     const Workplace place;

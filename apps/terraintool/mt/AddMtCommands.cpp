@@ -6,6 +6,7 @@
 #include <foundation/Threads.h>
 
 #include "terminal/CommandLine.h"
+#include "terraintool/mt/ExtractMt.h"
 
 namespace terraintool
 {
@@ -72,6 +73,30 @@ void addMtJobs(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
         ->check(terminal::extension(".mt"));
     join->add_option("--json", jsonFile, "also write the table to this file");
     join->callback([request, &command] { command = [request](const Request&) { return joinMt(*request); }; });
+}
+
+void addMtExtract(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
+{
+    CLI::App* sub = app.add_subcommand("mt-extract", "write one triangulation of a .mt file");
+    const auto request = std::make_shared<MtExtractRequest>();
+    const auto region = std::make_shared<std::vector<double>>();
+    sub->add_option("FILE", request->file, "the .mt file")->required()->check(CLI::ExistingFile);
+    sub->add_option("-o,--output", request->output, "the file to write")
+        ->required()
+        ->check(terminal::extension(".obj") | terminal::extension(".ply"));
+    sub->add_option("--error", request->what.errorM, "metres along the vertical; without it: all points")
+        ->check(terminal::between(0.0, 1e5));
+    sub->add_option("--triangles", request->what.mostTriangles, "no more than so many")
+        ->check(CLI::Range(2u, 2'000'000'000u));
+    sub->add_option("--region", *region, "west, south, east, north: fine there alone")->expected(4);
+    sub->add_option("--json", jsonFile, "also write the table to this file");
+    sub->callback(
+        [request, region, &command]
+        {
+            if (region->size() == 4)
+                request->what.region = {(*region)[0], (*region)[1], (*region)[2], (*region)[3]};
+            command = [request](const Request&) { return extractMt(*request); };
+        });
 }
 
 void addMtFly(CLI::App& app, std::filesystem::path& jsonFile, Command& command)

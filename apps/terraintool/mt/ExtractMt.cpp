@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terraintool/mt/ExtractMt.h"
+
+#include <iostream>
+
+#include <foundation/WholeFile.h>
+
+#include <osgMultiTriangulation/core/output/WriteTin.h>
+
+namespace terraintool
+{
+
+using namespace osgMultiTriangulation::core;
+
+foundation::Result<terminal::Report> extractMt(const MtExtractRequest& request)
+{
+    if (const auto writable = foundation::checkWritable(request.output); !writable) return writable.error();
+    const auto file = MtFile::open(request.file);
+    if (!file) return file.error();
+    const auto surface = extractFrom(*file, request.what);
+    if (!surface) return surface.error();
+    if (const auto written = writeTin(request.output, surface->mesh, file->info().frame); !written)
+        return written.error();
+    terminal::Report report;
+    report.json["files"].push_back({{"file", request.output.string()},
+                                    {"points", surface->mesh.points.size()},
+                                    {"triangles", surface->mesh.triangles.size()},
+                                    {"errorM", surface->errorM},
+                                    {"trees", surface->trees},
+                                    {"ofTrees", file->info().trees.size()}});
+    std::cout << request.output.string() << ": " << surface->mesh.triangles.size() << " triangles, error "
+              << surface->errorM << " m, from " << surface->trees << " of " << file->info().trees.size()
+              << " trees\n";
+    return report;
+}
+
+nlohmann::ordered_json describeMt(const MtFile& file)
+{
+    const MtInfo& info = file.info();
+    const MtEntry& main = info.trees[0];
+    const PlanFrame& frame = info.frame;
+    std::uint64_t bytes = 0;
+    for (const MtEntry& tree : info.trees)
+        bytes += tree.bytes;
+    return {{"file", file.path().string()},
+            {"version", file.version()},
+            {"points", info.points},
+            {"triangles", info.triangles},
+            {"trees", info.trees.size()},
+            {"mainPart", main.points},
+            {"coarsestTriangles", main.rootTriangles},
+            {"coarsestErrorM", main.rootError},
+            {"stepX", frame.stepX},
+            {"stepY", frame.stepY},
+            {"heightStepM", info.heightStep},
+            {"west", frame.originX + frame.stepX * main.low[0]},
+            {"south", frame.originY + frame.stepY * main.low[1]},
+            {"east", frame.originX + frame.stepX * main.high[0]},
+            {"north", frame.originY + frame.stepY * main.high[1]},
+            {"treeBytes", bytes}};
+}
+
+} // namespace terraintool

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include <osgMultiTriangulation/core/check/SurfaceCheck.h>
+#include <osgMultiTriangulation/core/file/BuildMtFile.h>
+#include <osgMultiTriangulation/core/input/TinFile.h>
+#include <osgMultiTriangulation/core/output/WriteTin.h>
+#include <osgMultiTriangulation/core/structure/ErrorCode.h>
+#include <osgMultiTriangulation/core/zone/ExtractFromFile.h>
+
+#include "HillSurface.h"
+#include "TestFolder.h"
+
+namespace osgMultiTriangulation::core
+{
+
+namespace
+{
+
+/// Hills of 80 × 60 points at 10 m, whose south-west corner lies at (500, -200).
+struct PlacedHills
+{
+    testsupport::TestFolder folder{"extract"};
+    SurfaceMesh mesh = testsupport::hillSurface(80, 60);
+    PlanFrame frame{500.0, -200.0, 10.0, 10.0};
+    std::filesystem::path path = folder / "hills.mt";
+
+    PlacedHills()
+    {
+        ForestOptions options;
+        options.treeCount = 8;
+        EXPECT_TRUE(buildMtFile(mesh, frame, options, path));
+    }
+
+    ExtractedSurface extractAt(double errorM) const
+    {
+        ExtractRequest request;
+        request.errorM = errorM;
+        return extract(request);
+    }
+
+    ExtractedSurface extract(const ExtractRequest& request) const
+    {
+        const auto surface = extractFrom(*MtFile::open(path), request);
+        EXPECT_TRUE(surface) << surface.error().message();
+        return *surface;
+    }
+};
+
+/// The greatest vertical distance of the points of a surface from another, of those in a rectangle of the
+/// lattice.
+double worstError(const SurfaceMesh& input, const SurfaceMesh& taken, int west, int south, int east,
+                  int north)
+{
+    double worst = 0.0;
+    for (const SurfacePoint& p : input.points)
+    {
+        if (p.x < west || p.x > east || p.y < south || p.y > north) continue;
+        double error = 1e9;
+        for (const Triangle& t : taken.triangles)
+        {
+            const SurfacePoint &a = taken.points[t[0]], &b = taken.points[t[1]], &c = taken.points[t[2]];
+            const double u = twiceArea(b, c, p), v = twiceArea(c, a, p), w = twiceArea(a, b, p);
+            if (u < 0.0 || v < 0.0 || w < 0.0) continue;
+            const double height = (u * a.height + v * b.height + w * c.height) / (u + v + w);
+            error = std::min(error, std::abs(height - p.height));
+        }
+        worst = std::max(worst, error);
+    }
+    return worst;
+}
+
+using Places = std::set<std::tuple<int, int, double>>;
+
+Places pointSetOf(const SurfaceMesh& mesh)
+{
+    Places places;
+    for (const SurfacePoint& p : mesh.points)
+        places.emplace(p.x, p.y, p.height);
+    return places;
+}
+
+TEST(ExtractFromFile, withoutErrorItIsTheInput)
+{
+    const PlacedHills here;
+    const ExtractedSurface all = here.extract({});
+    EXPECT_EQ(pointSetOf(all.mesh), pointSetOf(here.mesh));
+    EXPECT_EQ(all.mesh.triangles.size(), here.mesh.triangles.size());
+    EXPECT_EQ(checkSurface(all.mesh, outlineOf(here.mesh)), std::nullopt);
+}
+
+TEST(ExtractFromFile, keepsTheErrorByBruteForce)
+{
+    const PlacedHills here;
+    std::size_t before = here.mesh.triangles.size();
+    for (const double error : {0.25, 1.0, 3.0})
+    {
+        const ExtractedSurface taken = here.extractAt(error);
+        EXPECT_EQ(checkSurface(taken.mesh, outlineOf(here.mesh)), std::nullopt);
+        EXPECT_LE(worstError(here.mesh, taken.mesh, 0, 0, 79, 59), error);
+        EXPECT_GT(worstError(here.mesh, taken.mesh, 0, 0, 79, 59), 0.3 * error) << "it could be coarser";
+        EXPECT_LT(taken.mesh.triangles.size(), before);
+        before = taken.mesh.triangles.size();
+    }
+}
+
+TEST(ExtractFromFile, takesTheLeastErrorWithSoManyTriangles)
+{
+    const PlacedHills here;
+    for (const std::size_t most : {200u, 1000u, 4000u})
+    {
+        ExtractRequest request;
+        request.mostTriangles = most;
+        const ExtractedSurface taken = here.extract(request);
+        EXPECT_LE(taken.mesh.triangles.size(), most);
+        const auto code = codeOfError(static_cast<float>(taken.errorM));
+        const ExtractedSurface finer = here.extractAt(errorOfCode(static_cast<std::uint16_t>(code - 1)));
+        EXPECT_GT(finer.mesh.triangles.size(), most);
+    }
+    ExtractRequest none;
+    none.mostTriangles = 1;
+    EXPECT_FALSE(extractFrom(*MtFile::open(here.path), none));
+}
+
+TEST(ExtractFromFile, aRegionIsFineAndTheRestCoarse)
+{
+    const PlacedHills here;
+    ExtractRequest request{0.25, 1u << 30, PlanRegion{520.0, -180.0, 650.0, -100.0}}; // 2 … 15, 2 … 10
+    const ExtractedSurface part = here.extract(request), all = here.extractAt(0.25);
+    EXPECT_EQ(checkSurface(part.mesh, outlineOf(here.mesh)), std::nullopt);
+    EXPECT_LE(worstError(here.mesh, part.mesh, 2, 2, 15, 10), 0.25);
+    EXPECT_GT(worstError(here.mesh, part.mesh, 0, 0, 79, 59), 2.0) << "elsewhere it is coarse";
+    EXPECT_LT(3 * part.mesh.triangles.size(), all.mesh.triangles.size());
+    EXPECT_LT(part.trees, all.trees);
+}
+
+TEST(ExtractFromFile, filesOfTrianglesReadBackAlike)
+{
+    const PlacedHills here;
+    PlanFrame frame = here.frame;
+    frame.stepX = 0.1;
+    const ExtractedSurface taken = here.extractAt(1.0);
+    for (const char* name : {"t.obj", "t.ply"})
+    {
+        ASSERT_TRUE(writeTin(here.folder / name, taken.mesh, frame));
+        const auto read = readTinFile(here.folder / name);
+        ASSERT_TRUE(read) << read.error().message();
+        EXPECT_EQ(read->triangles, taken.mesh.triangles);
+        ASSERT_EQ(read->points.size(), taken.mesh.points.size());
+        for (std::size_t p = 0; p < read->points.size(); ++p)
+        {
+            EXPECT_EQ(read->points[p][0], frame.originX + frame.stepX * taken.mesh.points[p].x);
+            EXPECT_EQ(read->points[p][1], frame.originY + frame.stepY * taken.mesh.points[p].y);
+            EXPECT_EQ(read->points[p][2], taken.mesh.points[p].height);
+        }
+    }
+}
+
+} // namespace
+
+} // namespace osgMultiTriangulation::core
