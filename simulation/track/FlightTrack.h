@@ -33,10 +33,12 @@ enum class TrackKind
     mark, ///< no body: a waypoint, a bullseye
 };
 
-/// A recorded attitude. Degrees: yaw clockwise from true north, pitch nose up, roll right side down.
+/// A recorded attitude. Degrees: yaw clockwise from true north, pitch nose up, roll right side down. What is
+/// absent follows from the way.
 struct TrackAttitude
 {
-    double yawDeg = 0.0, pitchDeg = 0.0, rollDeg = 0.0;
+    double yawDeg = 0.0;
+    std::optional<double> pitchDeg{}, rollDeg{};
 };
 
 /// A recorded position. WGS84 degrees, metres.
@@ -50,6 +52,7 @@ struct TrackFix
     std::optional<TrackAttitude> attitude{};
     std::optional<HeightDatum> datum{}; ///< of this height; absent: that of the track
     std::optional<double> geoidM{};     ///< mean sea level above the ellipsoid here, as the file has it
+    std::optional<double> speedMps{};   ///< over ground, as the file has it
 };
 
 /// A flight, a drive or a walk that somebody recorded.

@@ -13,6 +13,7 @@
 #include "simulation/track/CoordinateText.h"
 #include "simulation/track/ReadTrack.h"
 #include "simulation/track/TableColumns.h"
+#include "simulation/track/TableMotion.h"
 #include "simulation/track/TableObjects.h"
 #include "simulation/track/TimeText.h"
 #include "simulation/track/TrackBuilder.h"
@@ -50,7 +51,7 @@ class TableReader
 public:
     /// `names`: of the columns.
     TableReader(const std::string& name, const TableColumns& columns, std::vector<std::string> names)
-        : _name(name), _columns(columns), _names(std::move(names)), _builder(name)
+        : _name(name), _columns(columns), _names(std::move(names)), _motion(_names), _builder(name)
     {
     }
 
@@ -87,6 +88,7 @@ public:
         else
         {
             _fixes.push_back({*time, *latitude.degrees, *longitude.degrees, height, line});
+            _motion.take(cells, _isDecimalComma, _fixes.back());
             _ids.emplace_back();
             for (const int column : _columns.ids)
                 _ids.back().emplace_back(trimmed(cell(column)));
@@ -112,6 +114,8 @@ private:
         if (_areTimesOfDay) addDays(fixes);
         for (const TrackFix& fix : fixes)
             _builder.add(track, fix);
+        for (const std::string& note : _motion.settle(track))
+            _builder.note(track.fixes.front().line, note);
     }
 
     /// A track for each object, in the order in which the file has them.
@@ -180,6 +184,7 @@ private:
     const std::string& _name;
     const TableColumns& _columns;
     std::vector<std::string> _names;
+    TableMotion _motion;
     TrackBuilder _builder;
     std::vector<TrackFix> _fixes;
     std::vector<RowIds> _ids; ///< of each fix

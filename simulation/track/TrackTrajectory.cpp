@@ -18,8 +18,8 @@ Orientation orientationOf(const TrackAttitude& attitude)
 {
     Orientation orientation;
     orientation.headingRad = foundation::radiansOf(90.0 - attitude.yawDeg);
-    orientation.pitchRad = -foundation::radiansOf(attitude.pitchDeg);
-    orientation.rollRad = foundation::radiansOf(attitude.rollDeg);
+    if (attitude.pitchDeg) orientation.pitchRad = -foundation::radiansOf(*attitude.pitchDeg);
+    if (attitude.rollDeg) orientation.rollRad = foundation::radiansOf(*attitude.rollDeg);
     return orientation;
 }
 
