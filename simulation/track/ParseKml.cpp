@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <map>
 #include <vector>
 
+#include <foundation/NearestWord.h>
 #include <foundation/XmlSource.h>
 
 #include "simulation/parser/Expression.h"
@@ -50,7 +52,7 @@ private:
     /// terrain has no water in it.
     std::string_view modeOf(pugi::xml_node node, std::string_view outer)
     {
-        std::string_view mode = textOf(node, "altitudeMode");
+        std::string_view mode = knownMode(childOf(node, "altitudeMode"));
         if (mode.empty()) mode = outer;
         if (mode == "relativeToSeaFloor")
             _builder.note(_source.lineOf(node),
@@ -58,16 +60,43 @@ private:
         return mode;
     }
 
+    /// The mode that an element names, or the one that is like it; empty: none.
+    std::string_view knownMode(pugi::xml_node node)
+    {
+        constexpr std::array<std::string_view, 5> kModes{"absolute", "relativeToGround", "clampToGround",
+                                                         "relativeToSeaFloor", "clampToSeaFloor"};
+        const std::string_view mode = trimmed(node.text().get());
+        if (mode.empty() || std::find(kModes.begin(), kModes.end(), mode) != kModes.end()) return mode;
+        const auto like =
+            foundation::nearestWord(mode, kModes, [](const auto& word) { return std::string_view(word); });
+        const std::string_view taken = like ? std::string_view(*like) : "clampToGround";
+        _builder.note(_source.lineOf(node), "there is no altitudeMode '" + std::string(mode.substr(0, 40)) +
+                                                "'; it is taken as " + std::string(taken));
+        return taken;
+    }
+
+    /// What holds for the tracks of a Placemark. A mode has its place in the geometry, where Google Earth
+    /// alone looks for it.
+    Above ofPlacemark(pugi::xml_node node)
+    {
+        const pugi::xml_node mode = childOf(node, "altitudeMode");
+        if (mode)
+            _builder.note(_source.lineOf(mode),
+                          "an altitudeMode beside the geometry counts for what has none of its own");
+        return {textOf(node, "name"), knownMode(mode)};
+    }
+
     /// Finds each Track; those of one MultiTrack are one object's. At most 64 deep.
     void takeTracks(pugi::xml_node node, FlightTrack* joined, Above above)
     {
-        if (plainName(node) == "Placemark") above.name = textOf(node, "name");
+        if (plainName(node) == "Placemark") above = ofPlacemark(node);
         for (pugi::xml_node child : node.children())
         {
             if (plainName(child) == "MultiTrack" && !joined)
             {
                 FlightTrack& track = _builder.begin(std::string(above.name), HeightDatum::ground);
-                takeTracks(child, &track, {above.name, textOf(child, "altitudeMode")});
+                const std::string_view mode = knownMode(childOf(child, "altitudeMode"));
+                takeTracks(child, &track, {above.name, mode.empty() ? above.mode : mode});
             }
             else if (plainName(child) == "Track")
                 takeTrack(child, joined, above);
