@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <string_view>
+
+#include <foundation/NearestWord.h>
+
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
 #include "simulation/parser/Expression.h"
@@ -79,6 +83,22 @@ void tellReferencePoint(ElementReader reader, const Properties& properties)
     }
 }
 
+/// Tells of a category that is none: the vehicle looks like a car.
+void tellCategory(const ElementReader& reader, const std::string& category)
+{
+    constexpr std::string_view kCategories = " bicycle bus car motorbike semitractor semitrailer trailer "
+                                             "train tram truck van aircraft helicopter ";
+    if (!reader.context.options.tolerant || category.empty() ||
+        kCategories.find(" " + category + " ") != std::string_view::npos)
+        return;
+    reader.context.add(
+        {Problem::Kind::approximated,
+         {reader.context.place(reader.node),
+          "vehicleCategory=\"" + category + "\" is no category of vehicles",
+          "instead: it is taken for a car; " +
+              foundation::didYouMean(category, kCategories, "write car, van, truck or another")}});
+}
+
 Vehicle parseVehicle(ElementReader reader)
 {
     reader.allowChildren({"ParameterDeclarations", "BoundingBox", "Performance", "Axles", "Properties",
@@ -88,6 +108,7 @@ Vehicle parseVehicle(ElementReader reader)
     vehicle.source = context.line(reader.node);
     vehicle.name = reader.name();
     vehicle.category = reader.text("vehicleCategory");
+    tellCategory(reader, vehicle.category);
     reader.textOr("role", ""); // nothing here asks who uses it
     vehicle.model3d = reader.textOr("model3d", "");
     vehicle.massKg = reader.optionalNumber("mass");

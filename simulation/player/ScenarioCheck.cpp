@@ -44,6 +44,7 @@ public:
         trigger(_scenario.storyboard.stopTrigger);
         for (const auto& [condition, line] : _references)
             reference(*condition, line);
+        lookAtSignals();
         if (_error) return *_error;
         return std::move(_warnings);
     }
@@ -78,12 +79,19 @@ private:
         {
             _names.insert({StoryboardElementType::action, named.name});
             if (const auto* privateAction = std::get_if<PrivateAction>(&named.action)) action(*privateAction);
+            if (const auto* global = std::get_if<GlobalAction>(&named.action)) globalAction(*global);
         }
     }
 
     void action(const PrivateAction& content)
     {
-        if (const auto* change = std::get_if<LaneChangeAction>(&content)) onLanes(change->source);
+        if (const auto* change = std::get_if<LaneChangeAction>(&content))
+        {
+            onLanes(change->source);
+            if (_roads && change->entity.empty() && !isAnyLane(change->lane))
+                warn(change->source, "no road has a lane " + std::to_string(change->lane),
+                     "nothing is done; write the id of a lane");
+        }
         if (const auto* offset = std::get_if<LaneOffsetAction>(&content)) onLanes(offset->source);
         if (const auto* teleport = std::get_if<TeleportAction>(&content))
         {
@@ -96,14 +104,47 @@ private:
         if (const auto* acquire = std::get_if<AcquirePositionAction>(&content))
             onRoads(acquire->position, "nothing is done");
         if (const auto* assign = std::get_if<AssignRouteAction>(&content)) onRoute(assign->route);
+        if (const auto* together = std::get_if<SynchronizeAction>(&content))
+            for (const Position* position : {&together->masterPosition, &together->position})
+                onRoads(*position, "nothing is done");
         if (const auto* follow = std::get_if<FollowTrajectoryAction>(&content))
         {
+            onTrajectory(follow->trajectory.shape);
             const std::optional<std::string> obstacle = TrajectoryRun::obstacle(*follow, _frame);
             if (obstacle && isSupported(*follow))
                 fail(follow->source,
                      "the trajectory " + follow->trajectory.name + " cannot be run: " + *obstacle,
                      "correct its vertices");
         }
+    }
+
+    void globalAction(const GlobalAction& content)
+    {
+        if (const auto* state = std::get_if<TrafficSignalStateAction>(&content))
+            _signals.insert(state->signal);
+    }
+
+    /// Looks at the places of a trajectory; without one of them it is not followed.
+    void onTrajectory(const TrajectoryShape& shape)
+    {
+        const std::string instead = "the trajectory is not followed";
+        if (const auto* line = std::get_if<Polyline>(&shape))
+            for (const Vertex& vertex : line->vertices)
+                onRoads(vertex.position, instead);
+        if (const auto* clothoid = std::get_if<Clothoid>(&shape)) onRoads(clothoid->start, instead);
+        if (const auto* nurbs = std::get_if<Nurbs>(&shape))
+            for (const Nurbs::ControlPoint& point : nurbs->points)
+                onRoads(point.position, instead);
+    }
+
+    bool isAnyLane(int lane) const
+    {
+        for (const auto& road : _roads->network().roads)
+            for (const auto& section : road.sections)
+                for (const auto* side : {&section.left, &section.right})
+                    for (const auto& one : *side)
+                        if (one.id == lane) return true;
+        return false;
     }
 
     void onLanes(SourceLine source)
@@ -184,12 +225,39 @@ private:
         for (const ConditionGroup& group : content->groups)
             for (const Condition& condition : group.conditions)
                 if (const auto* entity = std::get_if<EntityCondition>(&condition.content))
-                {
-                    if (const auto* reach = std::get_if<ReachPositionCondition>(&entity->content))
-                        onRoads(reach->position, "the condition is never true");
-                }
+                    onCondition(*entity);
                 else if (const auto* state = std::get_if<StoryboardElementStateCondition>(&condition.content))
                     _references.emplace_back(state, condition.source);
+                else if (const auto* signal = std::get_if<TrafficSignalCondition>(&condition.content))
+                    _lookedAt.emplace_back(signal->signal, condition.source);
+    }
+
+    void onCondition(const EntityCondition& condition)
+    {
+        const std::string instead = "the condition is never true";
+        const auto onTarget = [&](const std::variant<std::string, Position>& target)
+        {
+            if (const auto* place = std::get_if<Position>(&target)) onRoads(*place, instead);
+        };
+        if (const auto* reach = std::get_if<ReachPositionCondition>(&condition.content))
+            onRoads(reach->position, instead);
+        if (const auto* distance = std::get_if<DistanceCondition>(&condition.content))
+            onTarget(distance->target);
+        if (const auto* collision = std::get_if<TimeToCollisionCondition>(&condition.content))
+            onTarget(collision->target);
+    }
+
+    /// Whether anything sets the signals that conditions ask for.
+    void lookAtSignals()
+    {
+        for (const TrafficSignalController& controller : _scenario.roadNetwork.signalControllers)
+            for (const SignalPhase& phase : controller.phases)
+                for (const auto& [signal, state] : phase.states)
+                    _signals.insert(signal);
+        for (const auto& [signal, source] : _lookedAt)
+            if (!_signals.contains(signal))
+                warn(source, "no controller and no action sets the traffic signal " + signal,
+                     "the condition is never true; correct its name");
     }
 
     void reference(const StoryboardElementStateCondition& condition, SourceLine source)
@@ -237,6 +305,8 @@ private:
     bool _isInit = false; ///< what is walked through is Init
     std::set<Name> _names;
     std::vector<std::pair<const StoryboardElementStateCondition*, SourceLine>> _references;
+    std::set<std::string> _signals; ///< that something sets
+    std::vector<std::pair<std::string, SourceLine>> _lookedAt;
     std::optional<foundation::Error> _error;
     std::vector<foundation::Error> _warnings;
 };

@@ -55,6 +55,66 @@ TEST(NothingThere, AnEntityThatBeginsOnNoRoadOrLaneIsRefused)
     }
 }
 
+/// What is told of a story of one event; nothing where it does not say `said` once.
+std::string toldOnce(const std::string& action, const std::string& condition = timeCondition(1.0))
+{
+    ScenarioText text;
+    text.privates = roadplay::onLane(100.0) + speedAction(10.0);
+    text.stories = story(event("a", action, condition));
+    const auto player = roadplay::played(text, 2.0);
+    if (!player || player->warnings().size() != 1) return {};
+    EXPECT_NEAR(player->entities()[0].position.x, 120.0, 0.3) << "it drives on";
+    return player->warnings()[0].message();
+}
+
+TEST(NothingThere, WhatIsToBeDoneOnARoadThatIsNotThereIsTold)
+{
+    const auto place = [](const char* road, const char* lane)
+    { return std::string("<LanePosition roadId=\"") + road + "\" laneId=\"" + lane + "\" s=\"150\"/>"; };
+    const auto change = [](const char* lane)
+    {
+        return std::string(
+                   "<PrivateAction><LateralAction><LaneChangeAction><LaneChangeActionDynamics "
+                   "dynamicsShape=\"linear\" value=\"2\" dynamicsDimension=\"time\"/><LaneChangeTarget>"
+                   "<AbsoluteTargetLane value=\"") +
+               lane + "\"/></LaneChangeTarget></LaneChangeAction></LateralAction></PrivateAction>";
+    };
+    const auto followed = [&](const std::string& last)
+    { return followTrajectory(vertex(place("1", "-1"), "0") + vertex(last, "2"), kTiming); };
+    const auto together = [&](const std::string& target)
+    {
+        return "<PrivateAction><SynchronizeAction masterEntityRef=\"Ego\"><TargetPositionMaster>" + target +
+               "</TargetPositionMaster><TargetPosition>" + place("1", "-1") +
+               "</TargetPosition></SynchronizeAction></PrivateAction>";
+    };
+    const auto near = [&](const std::string& target)
+    {
+        return "<ConditionGroup><Condition name=\"c\" delay=\"0\" conditionEdge=\"none\"><ByEntityCondition>"
+               "<TriggeringEntities triggeringEntitiesRule=\"any\"><EntityRef entityRef=\"Ego\"/>"
+               "</TriggeringEntities><EntityCondition><DistanceCondition value=\"5\" freespace=\"false\" "
+               "rule=\"lessThan\"><Position>" +
+               target + "</Position></DistanceCondition></EntityCondition></ByEntityCondition></Condition>" +
+               "</ConditionGroup>";
+    };
+    const auto red = std::string("<ConditionGroup><Condition name=\"c\" delay=\"0\" conditionEdge=\"none\">"
+                                 "<ByValueCondition><TrafficSignalCondition name=\"lamp\" state=\"red\"/>"
+                                 "</ByValueCondition></Condition></ConditionGroup>");
+    for (const auto& [told, said] :
+         {std::pair(toldOnce(change("-9")), "no road has a lane -9; instead: nothing is done"),
+          std::pair(toldOnce(followed(place("77", "-1"))),
+                    "the road 77 does not exist; instead: the trajectory"),
+          std::pair(toldOnce(followed(place("1", "-9"))), "the road 1 has no lane -9"),
+          std::pair(toldOnce(together(place("77", "-1"))), "the road 77 does not exist; instead: nothing"),
+          std::pair(toldOnce(speedAction(20.0), near(place("77", "-1"))), "the condition is never true"),
+          std::pair(toldOnce(speedAction(20.0), red),
+                    "sets the traffic signal lamp; instead: the condition")})
+        EXPECT_NE(told.find(said), std::string::npos) << said << ": " << told;
+    // The control: what is there.
+    for (const std::string& action : {change("1"), followed(place("1", "-1")), together(place("1", "-1"))})
+        EXPECT_EQ(toldOnce(action), "") << action;
+    EXPECT_EQ(toldOnce(speedAction(10.0), near(place("1", "-1"))), "");
+}
+
 TEST(NothingThere, AnEntityThatIsSentToNoRoadOrLaneLaterStaysAndIsTold)
 {
     for (const auto& [place, said] :

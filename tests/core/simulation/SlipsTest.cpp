@@ -155,6 +155,23 @@ TEST(Slips, AReferencePointOffTheRearAxleIsTold)
     }
 }
 
+TEST(Slips, ACategoryThatIsNoneIsTold)
+{
+    const auto toldOf = [](const char* category)
+    {
+        std::string text = soundText().text();
+        const std::string was = "vehicleCategory=\"car\"";
+        text.replace(text.find(was), was.size(), std::string("vehicleCategory=\"") + category + "\"");
+        const auto parsed = parseScenario(text, "test.xosc", {.tolerant = true, .parameters = {}});
+        return parsed && parsed->problems.size() == 1 ? parsed->problems[0].error.message() : std::string();
+    };
+    EXPECT_NE(toldOf("trcuk").find("did you mean truck?"), std::string::npos);
+    EXPECT_NE(toldOf("Bus").find("did you mean bus?"), std::string::npos);
+    EXPECT_NE(toldOf("spaceship").find("it is taken for a car; write car"), std::string::npos);
+    for (const char* good : {"car", "bus", "motorbike", "semitractor", "helicopter"})
+        EXPECT_EQ(toldOf(good), "") << good;
+}
+
 TEST(Slips, WhatTheMotionHangsOnIsRefusedAsBefore)
 {
     for (const auto& [good, bad] :
