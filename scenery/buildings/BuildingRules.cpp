@@ -23,6 +23,7 @@ namespace
 using models::Dice;
 using models::Painting;
 
+constexpr double kLeastWallM = 0.05; ///< of a part that begins above the ground
 constexpr double kStoreyM = 3.0, kHallStoreyM = 4.5;
 constexpr double kLeastAreaM2 = 3.0, kMostAreaM2 = 2e5;
 constexpr double kLargeM2 = 1600.0; ///< a larger roof is flat
@@ -196,6 +197,17 @@ double lowestOf(const Building& building, const BuildingTags& tags)
     return 0.0;
 }
 
+/// Fits the roof of a part between where the part begins and its top: a guessed roof would begin below it. A
+/// part that is a roof is nothing else.
+void fitAbove(Building& building, double lowM, double heightM, const BuildingTags& tags)
+{
+    const double mostM = heightM - lowM - kLeastWallM;
+    const bool isAllRoof = valueOf(tags, "building:part") == "roof" && building.roof != RoofForm::flat &&
+                           valueOf(tags, "roof:height").empty();
+    building.roofM = isAllRoof ? mostM : std::min(building.roofM, mostM);
+    building.eavesM = heightM - building.roofM;
+}
+
 } // namespace
 
 std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, const BuildingTags& tags,
@@ -219,6 +231,8 @@ std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, c
         if (!hasLevels) building.storeys = std::max(1, static_cast<int>(building.eavesM / kStoreyM));
     }
     const double lowM = lowestOf(building, tags);
+    if (const auto heightM = heightOf(tags); heightM && lowM > 0.0 && lowM < *heightM - kLeastWallM)
+        fitAbove(building, lowM, *heightM, tags);
     if (lowM < building.eavesM) building.liftedM = lowM;
     building.isOnPosts = kind == "roof" || kind == "carport";
     if (building.isOnPosts && building.liftedM <= 0.0)

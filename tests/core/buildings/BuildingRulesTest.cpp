@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/buildings/BuildingRules.h"
 
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "scenery/buildings/TagColour.h"
@@ -53,6 +55,33 @@ TEST(BuildingRules, ARoofStandsOnPosts)
     const Building house = made({{"building", "house"}, {"height", "5"}});
     EXPECT_FALSE(house.isOnPosts) << "the control";
     EXPECT_EQ(house.liftedM, 0.0);
+}
+
+/// streets-gl 18, OSM2World 204: a guessed roof reached below where the part begins.
+TEST(BuildingRules, TheRoofOfAPartBeginsAboveThePart)
+{
+    const auto made = [](const char* part, const char* low, const char* shape)
+    {
+        return *buildingOf(rectangle(20, 20),
+                           {{"building", "yes"},
+                            {"building:part", part},
+                            {"height", "8.7"},
+                            {"min_height", low},
+                            {"roof:shape", shape}},
+                           1);
+    };
+    for (const char* shape : {"gabled", "hipped", "pyramidal", "dome", "skillion"})
+        for (const char* part : {"yes", "roof"})
+            for (const char* low : {"5.7", "8", "3"})
+            {
+                const Building building = made(part, low, shape);
+                EXPECT_DOUBLE_EQ(building.liftedM, std::stod(low)) << shape;
+                EXPECT_GT(building.eavesM, building.liftedM) << shape;
+                EXPECT_NEAR(building.eavesM + building.roofM, 8.7, 1e-9) << shape;
+            }
+    EXPECT_NEAR(made("roof", "3", "pyramidal").roofM, 5.65, 1e-9) << "nothing but a roof";
+    EXPECT_LT(made("yes", "3", "pyramidal").roofM, 5.3) << "the control";
+    EXPECT_EQ(made("yes", "9", "gabled").liftedM, 0.0) << "above its top";
 }
 
 TEST(BuildingRules, WithoutTagsTheSameIdGivesTheSameHouse)
