@@ -28,8 +28,9 @@ layer(roads-core     "^osgRoads/(include/osgRoads|src)/core/" foundation viewlod
 layer(mt-core        "^osgMultiTriangulation/(include/osgMultiTriangulation|src)/core/" foundation viewlod objects-core)
 layer(simulation     "^simulation/"        foundation viewlod roads-core)
 layer(models         "^scenery/models/"    foundation objects-core)
+layer(lights         "^scenery/lights/"    foundation)
 layer(placement      "^scenery/placement/" foundation viewlod objects-core models)
-layer(buildings     "^scenery/(buildings|structures)/" foundation objects-core terrain-core models roads-core road-things scene-roads)
+layer(buildings     "^scenery/(buildings|structures)/" foundation objects-core terrain-core models lights roads-core road-things scene-roads)
 layer(road-things    "^scenery/roads/things/" foundation objects-core roads-core models)
 layer(scene-roads    "^scenery/roads/"     foundation viewlod objects-core terrain-core roads-core)
 layer(worldmaking    "^worldmaking/"       foundation viewlod objects-core terrain-core roads-core scene-roads models buildings)
@@ -46,9 +47,9 @@ layer(terrain        "^osgTerrainROAM/"    graphics foundation viewlod objects-c
 layer(mt             "^osgMultiTriangulation/" graphics foundation viewlod objects-core terrain-core mt-core objects traversal sky terrain)
 layer(roads          "^osgRoads/"          graphics foundation viewlod roads-core traversal)
 layer(offscreen      "^osgOffscreen/"      graphics foundation viewlod)
-layer(nodes          "^scenery/nodes/"     graphics foundation viewlod objects-core terrain-core roads-core simulation models placement
+layer(nodes          "^scenery/nodes/"     graphics foundation viewlod objects-core terrain-core roads-core simulation models placement lights
     traversal objects sky terrain roads road-things buildings)
-set(cores foundation viewlod objects-core terrain-core roads-core mt-core simulation models placement buildings scene-roads road-things worldmaking measurement)
+set(cores foundation viewlod objects-core terrain-core roads-core mt-core simulation models placement lights buildings scene-roads road-things worldmaking measurement)
 set(libraries graphics ${cores} traversal objects sky terrain mt roads offscreen nodes measurement-view)
 layer(trainer-input "^apps/trainer/input/" foundation simulation)
 layer(session-core   "^osgSession/(include/osgSession|src)/core/" foundation viewlod roads-core simulation)

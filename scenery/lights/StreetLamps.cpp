@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/lights/StreetLamps.h"
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include <foundation/Random.h>
+
+namespace scenery
+{
+
+namespace
+{
+
+constexpr double kEveryM = 32.0, kBesideM = 0.9, kArmM = 1.2, kHousesM = 60.0, kFreeM = 0.3;
+constexpr int kLeastHouses = 2;
+constexpr double kStreetCd = 1800.0;
+const glm::vec3 kWarmWhite(1.0F, 0.80F, 0.52F), kSodium(1.0F, 0.56F, 0.18F);
+
+/// Things by squares of the plan, to find those near a place.
+template<class Thing>
+class Squares
+{
+public:
+    explicit Squares(double sideM) : _sideM(sideM) {}
+
+    void add(const glm::dvec2& place, const Thing& thing) { _squares[squareOf(place)].push_back(thing); }
+
+    /// Calls `use` with all things in the square of a place and those around it.
+    template<class Use>
+    void near(const glm::dvec2& place, const Use& use) const
+    {
+        const auto [x, y] = squareOf(place);
+        for (std::int64_t dx = -1; dx <= 1; ++dx)
+            for (std::int64_t dy = -1; dy <= 1; ++dy)
+                if (const auto found = _squares.find({x + dx, y + dy}); found != _squares.end())
+                    for (const Thing& thing : found->second)
+                        use(thing);
+    }
+
+private:
+    using Square = std::pair<std::int64_t, std::int64_t>;
+    Square squareOf(const glm::dvec2& place) const
+    {
+        return {static_cast<std::int64_t>(std::floor(place.x / _sideM)),
+                static_cast<std::int64_t>(std::floor(place.y / _sideM))};
+    }
+
+    double _sideM;
+    std::map<Square, std::vector<Thing>> _squares;
+};
+
+struct PavedPlace
+{
+    glm::dvec2 place;
+    double halfM;
+};
+
+/// Calls `use(place, unit vector along, metres from the start)` along a line.
+template<class Use>
+void walk(const std::vector<glm::dvec2>& line, double firstM, double everyM, const Use& use)
+{
+    double nextM = firstM, beforeM = 0.0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+        const double lengthM = glm::distance(line[i], line[i + 1]);
+        if (lengthM < 1e-6) continue;
+        const glm::dvec2 along = (line[i + 1] - line[i]) / lengthM;
+        for (; nextM <= beforeM + lengthM; nextM += everyM)
+            use(line[i] + (nextM - beforeM) * along, along);
+        beforeM += lengthM;
+    }
+}
+
+} // namespace
+
+std::vector<StreetLamp> streetLampsAlong(std::span<const StreetLine> streets,
+                                         std::span<const glm::dvec2> houses)
+{
+    constexpr double kPavedEveryM = 3.0;
+    Squares<glm::dvec2> built(kHousesM);
+    for (const glm::dvec2& house : houses)
+        built.add(house, house);
+    Squares<PavedPlace> paved(16.0);
+    for (const StreetLine& street : streets)
+        walk(street.middle, 0.0, kPavedEveryM,
+             [&](const glm::dvec2& place, const glm::dvec2&) {
+                 paved.add(place, {place, 0.5 * street.widthM + kFreeM});
+             });
+    const auto isLit = [&](const glm::dvec2& place)
+    {
+        int count = 0;
+        built.near(place,
+                   [&](const glm::dvec2& house) { count += glm::distance(house, place) < kHousesM ? 1 : 0; });
+        if (count < kLeastHouses) return false;
+        bool isFree = true;
+        paved.near(place, [&](const PavedPlace& other)
+                   { isFree = isFree && glm::distance(other.place, place) > other.halfM; });
+        return isFree;
+    };
+    std::vector<StreetLamp> lamps;
+    for (std::size_t i = 0; i < streets.size(); ++i)
+    {
+        const StreetLine& street = streets[i];
+        double side = 1.0;
+        const bool isSodium = foundation::mixedBits(i + 1) % 3 == 0;
+        walk(street.middle, 0.5 * kEveryM, kEveryM,
+             [&](const glm::dvec2& middle, const glm::dvec2& along)
+             {
+                 const glm::dvec2 out = side * glm::dvec2(-along.y, along.x),
+                                  place = middle + out * (0.5 * street.widthM + kBesideM);
+                 side = -side;
+                 if (isLit(place)) lamps.push_back({place, -out, street.widthM > 8.0 ? 8.0 : 6.0, isSodium});
+             });
+    }
+    return lamps;
+}
+
+LightPoint lightOf(const StreetLamp& lamp, double groundM)
+{
+    LightPoint light;
+    light.place = {lamp.place + kArmM * lamp.towards, groundM + lamp.heightM - 0.1};
+    light.colour = lamp.isSodium ? kSodium : kWarmWhite;
+    light.candela = kStreetCd;
+    light.beam = BeamKind::streetLamp;
+    light.group = LightGroup::street;
+    return light;
+}
+
+} // namespace scenery
