@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include "scenery/lights/RoomUse.h"
 #include "scenery/models/Model.h"
 
 namespace scenery
@@ -47,6 +48,7 @@ struct Building
     int storeys = 2;
     Openings openings = Openings::house;
     bool hasShop = false;
+    RoomUse rooms = RoomUse::dwelling;
     models::Painting wall = models::Painting::plaster, cover = models::Painting::roofTiles;
     glm::vec3 wallTint{1.0F}, roofTint{0.6F, 0.36F, 0.28F}, doorTint{0.42F, 0.26F, 0.16F};
 };

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <foundation/Random.h>
+
 #include <osgPMObjects/core/tessellate/Tessellation.h>
 
 #include "scenery/buildings/Outline.h"
@@ -366,9 +368,21 @@ private:
         const glm::dvec2 left = from + along * (middleM - halfM) + out * kProudM;
         const glm::dvec2 right = from + along * (middleM + halfM) + out * kProudM;
         const models::CellUv uv = models::uvOf(detail);
+        if (detail == Detail::window || detail == Detail::shopFront)
+            addPane({left, lowM}, {right, lowM}, highM - lowM, detail);
         _facets.openings.addPolygon(
             {local(left, lowM), local(right, lowM), local(right, highM), local(left, highM)},
             {uv.at(0.0F, 0.0F), uv.at(1.0F, 0.0F), uv.at(1.0F, 1.0F), uv.at(0.0F, 1.0F)}, tint);
+    }
+
+    void addPane(const glm::dvec3& left, const glm::dvec3& right, double heightM, Detail detail)
+    {
+        const glm::i64vec3 place(glm::floor(10.0 * left)); // chance follows from the place
+        const auto bits =
+            static_cast<std::uint64_t>(place.x * 73856093 ^ place.y * 19349663 ^ place.z * 83492791);
+        const bool isShop = detail == Detail::shopFront && _building.openings == Openings::house;
+        _facets.panes.push_back({left, right, heightM, isShop ? RoomUse::shop : _building.rooms,
+                                 foundation::mixedBits(bits + 1)});
     }
 
     const StandingBuilding& _standing;

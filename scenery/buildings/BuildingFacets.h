@@ -27,12 +27,23 @@ struct Facets
                     const glm::vec3& colour, const std::vector<float>& skies = {});
 };
 
+/// A pane of a window or shop front: its lower corners seen from outside, and what is behind it.
+/// Frame: the scene's. Units: metres.
+struct WindowPane
+{
+    glm::dvec3 left{0.0}, right{0.0};
+    double heightM = 1.3;
+    RoomUse use = RoomUse::dwelling;
+    std::uint64_t room = 0; ///< chance that is the same in each run
+};
+
 /// The facets of buildings: walls and roofs by texture, and windows and doors, which are only worth drawing
 /// near by.
 struct BuildingFacets
 {
     std::map<models::Painting, Facets> shell;
     Facets openings; ///< of Painting::houseDetails, 4 cm before the walls
+    std::vector<WindowPane> panes;
 };
 
 /// Adds a building: walls from its foot up to the roof, the roof with its eaves, windows in each storey, a

@@ -208,6 +208,14 @@ void fitAbove(Building& building, double lowM, double heightM, const BuildingTag
     building.eavesM = heightM - building.roofM;
 }
 
+RoomUse roomsOf(std::string_view kind)
+{
+    constexpr std::array<std::string_view, 8> kWork{"office", "school",   "university", "civic",
+                                                    "public", "hospital", "tower",      "government"};
+    if (isOneOf(kind, kLow) || isOneOf(kind, kSacred)) return RoomUse::unused;
+    return isOneOf(kind, kHalls) || isOneOf(kind, kWork) ? RoomUse::work : RoomUse::dwelling;
+}
+
 } // namespace
 
 std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, const BuildingTags& tags,
@@ -238,6 +246,7 @@ std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, c
     if (building.isOnPosts && building.liftedM <= 0.0)
         building.liftedM = std::max(0.5 * building.eavesM, building.eavesM - kOpenRoofM);
     building.openings = openingsOf(kind, tags);
+    building.rooms = roomsOf(kind);
     building.hasShop = kind == "retail" || kind == "supermarket" || !valueOf(tags, "shop").empty();
     return building;
 }

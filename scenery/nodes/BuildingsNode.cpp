@@ -50,7 +50,8 @@ std::map<Square, SquareFacets> facetsBySquare(std::span<const StandingBuilding> 
 
 } // namespace
 
-osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> buildings)
+osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> buildings,
+                                           std::vector<WindowPane>* panes)
 {
     const osg::ref_ptr<osg::Group> root = new osg::Group;
     setObjectShading(*root, Finish::matt);
@@ -71,8 +72,11 @@ osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> bui
         group.addChild(casterOf(made.facets.shell));
     }
     for (const auto& [square, made] : facetsBySquare(buildings, kOpeningsSquareM))
+    {
+        if (panes) panes->insert(panes->end(), made.facets.panes.begin(), made.facets.panes.end());
         add(addOverlapping(*root, made.origin, kOpeningsFarM), made.facets.openings,
             models::Painting::houseDetails);
+    }
     return root;
 }
 

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <osg/Group>
 
-#include "scenery/buildings/Building.h"
+#include "scenery/buildings/BuildingFacets.h"
 
 namespace scenery
 {
@@ -15,7 +16,9 @@ namespace scenery
 /// ranges overlap the next (RangedGroup).
 /// Frame: the scene's. Needs the uniforms of an Atmosphere above it in the graph. Memory: some 15 KB a
 /// building.
-osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> buildings);
+/// `panes`: gets the panes of all windows; null: they are not asked for.
+osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> buildings,
+                                           std::vector<WindowPane>* panes = nullptr);
 
 inline constexpr double kShellSquareM = 500.0, kShellFarM = 12000.0;
 inline constexpr double kOpeningsSquareM = 250.0, kOpeningsFarM = 900.0;

@@ -85,6 +85,58 @@ osg::Vec3f glowOf(const models::EntityLamp& lamp)
 
 } // namespace
 
+LightPoint lightPointOf(const models::EntityLamp& lamp)
+{
+    using Kind = models::EntityLamp::Kind;
+    struct Shine
+    {
+        double candela;
+        BeamKind beam;
+    };
+    const auto shine = [&]() -> Shine
+    {
+        switch (lamp.kind)
+        {
+        case Kind::head:
+            return {13000.0, BeamKind::lowBeam};
+        case Kind::tail:
+            return {8.0, BeamKind::carRear};
+        case Kind::brake:
+            return {80.0, BeamKind::carRear};
+        case Kind::warning:
+            return {300.0, BeamKind::everywhere};
+        case Kind::navigationRed:
+            return {40.0, BeamKind::forwardLeft};
+        case Kind::navigationGreen:
+            return {40.0, BeamKind::forwardRight};
+        case Kind::navigationWhite:
+            return {20.0, BeamKind::rear};
+        case Kind::strobe:
+        case Kind::beacon:
+            return {400.0, BeamKind::anticollision};
+        case Kind::landing:
+            return {200000.0, BeamKind::landing};
+        default: // indicators and reversing lamps
+            return {250.0, BeamKind::carRear};
+        }
+    }();
+    constexpr double kLensM2 = 0.02; // strips that make up one lens share its light
+    const double share =
+        lamp.kind < Kind::navigationRed ? std::min(lamp.widthM * lamp.heightM / kLensM2, 1.0) : 1.0;
+    const osg::Vec4f light = lightOf(lamp.kind);
+    const float most = std::max({light.x(), light.y(), light.z()});
+    LightPoint point;
+    point.place = lamp.middle;
+    point.colour = glm::vec3(light.x(), light.y(), light.z()) / most;
+    point.candela = shine.candela * share;
+    point.beam = shine.beam;
+    point.group = LightGroup::vehicle;
+    const bool isForward = shine.beam == BeamKind::forwardLeft || shine.beam == BeamKind::forwardRight;
+    point.headingDeg = isForward || lamp.looksAhead ? 0.0 : 180.0;
+    if (shine.beam == BeamKind::rear) point.headingDeg = 180.0;
+    return point;
+}
+
 models::LitLamps defaultLamps(const simulation::EntityState& state, bool isDark, double timeS)
 {
     using Kind = models::EntityLamp::Kind;
@@ -118,6 +170,11 @@ EntityLamps::EntityLamps(std::vector<models::EntityLamp> lamps) : _lamps(std::mo
     _node = new osg::Group;
     _node->addChild(geode);
     _node->addChild(_glow->node());
+    std::vector<LightPoint> points;
+    for (const models::EntityLamp& lamp : _lamps)
+        points.push_back(lightPointOf(lamp));
+    _points.emplace(points, 0.0);
+    _node->addChild(_points->node());
     _node->setNodeMask(0); // all are dark
 }
 
@@ -127,16 +184,19 @@ void EntityLamps::light(const models::LitLamps& lit)
     _lit = lit;
     bool isAnyLit = false;
     std::vector<osg::Vec3f> glows(_lamps.size());
+    std::vector<float> shares(_lamps.size());
     for (std::size_t i = 0; i < _lamps.size(); ++i)
     {
         const bool isLit = lit[static_cast<std::size_t>(_lamps[i].kind)];
         isAnyLit = isAnyLit || isLit;
         if (isLit) glows[i] = glowOf(_lamps[i]);
+        shares[i] = isLit ? 1.0F : 0.0F;
         for (std::size_t corner = 0; corner < kLampCorners.size(); ++corner)
             (*_colours)[kLampCorners.size() * i + corner] = isLit ? lightOf(_lamps[i].kind) : osg::Vec4f();
     }
     _colours->dirty();
     _glow->light(glows);
+    _points->dim(shares);
     _node->setNodeMask(isAnyLit ? ~0U : 0U);
 }
 

@@ -9,6 +9,7 @@
 
 #include "scenery/models/entities/EntityModel.h"
 #include "scenery/nodes/LampGlow.h"
+#include "scenery/nodes/LightPoints.h"
 #include "simulation/state/EntityState.h"
 
 namespace scenery
@@ -20,9 +21,13 @@ namespace scenery
 /// 1.2 s and in 1 s.
 models::LitLamps defaultLamps(const simulation::EntityState& state, bool isDark, double timeS = 0.0);
 
-/// The lamps of one entity. Those that are lit shine by themselves, with a glow about them; the others are
-/// not drawn, so that the lenses of the model are seen. Frame: the entity's. Threads: light() in the update
-/// phase.
+/// Returns a lamp as a light point: of an aircraft with the sectors and intensities of 14 CFR 23.1391 and
+/// 23.1401, of a road vehicle with usual ones of UN R112, R7 and R6. Frame: the entity's.
+LightPoint lightPointOf(const models::EntityLamp& lamp);
+
+/// The lamps of one entity. Those that are lit shine by themselves, with a glow about them, and by night as
+/// light points from afar; the others are not drawn, so that the lenses of the model are seen. Frame: the
+/// entity's. Threads: light() in the update phase.
 class EntityLamps
 {
 public:
@@ -39,6 +44,7 @@ private:
     models::LitLamps _lit{};
     osg::ref_ptr<osg::Vec4Array> _colours = new osg::Vec4Array;
     std::optional<LampGlow> _glow;
+    std::optional<LightPoints> _points;
     osg::ref_ptr<osg::Group> _node;
 };
 

@@ -7,6 +7,7 @@ out vec3 fromEye;
 out vec3 light;
 out vec2 across;
 uniform mat4 osg_ViewMatrixInverse;
+uniform float lightLevels[12]; // of light points: they take the place of far glow where those of vehicles shine
 const float kLeastRadiansWide = 0.0040; // half the width of the square
 const float kNearer = 0.15; // metres towards the eye: before its own lens
 void main()
@@ -17,6 +18,7 @@ void main()
     float cosine = dot(normalize(gl_NormalMatrix * gl_Normal), toEye);
     float edge = gl_Color.a;
     float seen = edge <= -1.0 ? 1.0 : smoothstep(edge - 0.08, edge + 0.12, cosine);
+    seen *= 1.0 - lightLevels[11] * smoothstep(60.0, 200.0, distanceM);
     float wide = max(gl_MultiTexCoord0.z, kLeastRadiansWide * distanceM);
     // A far lamp is as bright in all as it would be in its own size, down to a least brightness: eyes and cameras spread light.
     float spread = max(gl_MultiTexCoord0.z / wide, 0.35);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scenery/lights/PapiUnits.h"
+
 using scenery::LightGroup;
 using scenery::LightPoint;
 using scenery::RunwayClass;
@@ -142,4 +144,22 @@ TEST(TaxiwayLights, AreBlueAndStandOnNoRunway)
         EXPECT_GT(light.place.y, 23.0);
     }
     EXPECT_GT(scenery::taxiwayLights(middle, 15.0, {}, kLevel).size(), lights.size());
+}
+
+TEST(PapiLamp, IsRedBelowItsAngleAndWhiteAboveIt)
+{
+    const auto units = scenery::papiUnits({0.0, 0.0}, {1.0, 0.0}, 1500.0, 30.0);
+    for (const auto& unit : units)
+    {
+        const LightPoint lamp = lampOf(unit);
+        const auto greenAt = [&](double minutes)
+        {
+            const double up = std::tan(glm::radians(unit.angleDeg + minutes / 60.0));
+            return colourTowards(lamp, lamp.place + 5000.0 * glm::dvec3(-1.0, 0.0, up)).g;
+        };
+        EXPECT_LT(greenAt(-1.5), 0.05F);
+        EXPECT_GT(greenAt(1.5), 0.93F);
+        EXPECT_GT(candelaTowards(lamp, lamp.place + glm::dvec3(-5000.0, 0.0, 262.0), 0.0), 12000.0);
+        EXPECT_EQ(candelaTowards(lamp, lamp.place + glm::dvec3(5000.0, 0.0, 262.0), 0.0), 0.0);
+    }
 }

@@ -11,13 +11,14 @@
 #include "Compositions.h"
 #include "RenderedScene.h"
 #include "SyntheticField.h"
-#include "scenery/nodes/AirfieldNode.h"
 #include "scenery/nodes/FallingDrops.h"
 #include "scenery/nodes/InteriorShading.h"
 #include "scenery/nodes/LampGlow.h"
+#include "scenery/nodes/LightPoints.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/RoadThingsNode.h"
+#include "scenery/nodes/SettlementLights.h"
 #include "scenery/nodes/Sky.h"
 #include "scenery/nodes/SkyShadeNode.h"
 #include "scenery/nodes/SunShadow.h"
@@ -97,7 +98,9 @@ std::vector<NamedProgram> objectPrograms()
             {"road lamp", scenery::makeRoadLampProgram()},
             {"interior of a vehicle", scenery::makeInteriorProgram()},
             {"mirror", scenery::makeMirrorProgram()},
-            {"PAPI", scenery::makePapiProgram()},
+            {"light point", scenery::makeLightPointProgram()},
+            {"lit window", scenery::makeWindowProgram()},
+            {"ground below a lamp", scenery::makeLampPoolProgram()},
             {"lamp glow", scenery::makeLampGlowProgram()},
             {"falling drops", scenery::makeFallingDropsProgram()},
             {"sun shadow", scenery::makeSunShadowProgram()},

@@ -12,7 +12,8 @@ namespace
 
 constexpr double kAwayM = 400.0;
 
-osg::ref_ptr<osg::Image> pictureAt(const std::vector<scenery::PapiUnit>& units, double elevationDeg)
+osg::ref_ptr<osg::Image> pictureAt(const std::vector<scenery::PapiUnit>& units, double elevationDeg,
+                                   bool isLit = true)
 {
     osgOffscreen::OffscreenSettings settings;
     settings.backend = osgOffscreen::defaultBackend();
@@ -20,8 +21,13 @@ osg::ref_ptr<osg::Image> pictureAt(const std::vector<scenery::PapiUnit>& units, 
     settings.heightPx = 270;
     settings.samples = 4;
     const rendered::ViewScene scene;
-    const scenery::AirfieldNode node(units, {});
-    if (!units.empty()) scene.root->addChild(node.node());
+    scenery::LightUniforms uniforms(*scene.root->getStateSet());
+    scenery::LightLevels levels{};
+    levels[static_cast<std::size_t>(scenery::LightGroup::papi)] = isLit ? 1.0F : 0.0F;
+    uniforms.show(1e-4, 0.0, 0.0, levels);
+    scenery::AirfieldNode node(units, {});
+    node.light(levels);
+    scene.root->addChild(node.node());
     const double up = kAwayM * std::tan(elevationDeg * 3.14159265358979 / 180.0);
     return rendered::pictureFrom(scene.root,
                                  scenery::poseLookingAt({-kAwayM, 0.0, up + 5.5}, {0.0, 0.0, 5.5}), settings);
@@ -33,7 +39,7 @@ double whites(std::vector<scenery::PapiUnit> units, double elevationDeg)
 {
     for (scenery::PapiUnit& unit : units)
         unit.place.z = 5.0; // the lamps shine half a metre above
-    const auto with = pictureAt(units, elevationDeg), without = pictureAt({}, elevationDeg);
+    const auto with = pictureAt(units, elevationDeg), without = pictureAt(units, elevationDeg, false);
     double white = 0.0, red = 0.0;
     for (int y = 0; y < with->t(); ++y)
         for (int x = 0; x < with->s(); ++x)
@@ -41,7 +47,7 @@ double whites(std::vector<scenery::PapiUnit> units, double elevationDeg)
             const auto* a = with->data(static_cast<unsigned>(x), static_cast<unsigned>(y));
             const auto* b = without->data(static_cast<unsigned>(x), static_cast<unsigned>(y));
             if (a[0] - b[0] < 40) continue;
-            (a[1] - b[1] > 20 ? white : red) += 1.0;
+            (2 * (a[1] - b[1]) > a[0] - b[0] ? white : red) += 1.0;
         }
     EXPECT_GT(white + red, 7.0) << "no light is seen at " << elevationDeg;
     return 4.0 * white / std::max(white + red, 1.0);
