@@ -155,6 +155,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     play.scene = std::make_unique<ScenarioScene>(std::move(*scene));
     play.scene->bearLamps(play.watched);
     play.scene->setShadows(request.frames.hasShadows);
+    play.scene->setLightSteps(request.frames.lightSteps);
     request.terrain.opening->end("entities");
     if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
     play.cover = makeCover(play.terrain);

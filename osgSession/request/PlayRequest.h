@@ -17,6 +17,7 @@
 
 #include <osgOffscreen/Backend>
 
+#include "scenery/lights/LightSteps.h"
 #include "simulation/road/WithoutRoads.h"
 #include "view/HudUnits.h"
 #include "view/OpeningClock.h"
@@ -98,9 +99,10 @@ struct FrameRequest
     int heightPx = 540;
     int samples = 4; ///< per pixel
     EyePoint eye = EyePoint::own;
-    std::string eyeEntity;  ///< the entity that is watched; empty: as watchedEntity()
-    FreeEye freeEye;        ///< with EyePoint::free
-    bool hasShadows = true; ///< of the sun, by maps
+    std::string eyeEntity;            ///< the entity that is watched; empty: as watchedEntity()
+    FreeEye freeEye;                  ///< with EyePoint::free
+    bool hasShadows = true;           ///< of the sun, by maps
+    scenery::LightSteps lightSteps{}; ///< of lamps
     Quality quality = Quality::high;
     std::optional<double>
         eyeHeightM; ///< of a driver above the ground, or of the eye above the car; absent: a usual one

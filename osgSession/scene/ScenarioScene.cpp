@@ -7,6 +7,8 @@
 #include <osg/Notify>
 
 #include "SceneWeather.h"
+#include "scenery/lights/Allard.h"
+#include "scenery/lights/LitTimes.h"
 #include "scenery/nodes/Sky.h"
 
 namespace trainer
@@ -17,7 +19,8 @@ ScenarioScene::ScenarioScene()
       _atmosphere(new osgSky::Atmosphere),
       _sunlit(new osgSky::SunShadows(_atmosphere)),
       _roadWetness(new osg::Uniform("roadWetness", 0.0F)),
-      _beam(*_root->getOrCreateStateSet())
+      _beam(*_root->getOrCreateStateSet()),
+      _lights(*_root->getOrCreateStateSet())
 {
     _atmosphere->addUniformsTo(*_root->getOrCreateStateSet());
     _root->getStateSet()->addUniform(_roadWetness);
@@ -36,6 +39,10 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     scene._sunlit->addChild(terrain.node);
     scene._roadThings = terrain.roadThings;
     scene._airfield = terrain.airfield;
+    scene._settlements = terrain.settlements;
+    if (const auto origin = terrain.origin()) scene._longitudeDeg = origin->longitudeDeg;
+    if (terrain.airfield)
+        scene._root->getStateSet()->addUniform(new osg::Uniform("featureLampsElsewhere", 1.0F));
     scene._moonlight = terrain.moonlight;
     scene._ground = terrain.ground();
     scenery::EntityShapes shapes;
@@ -118,6 +125,22 @@ void ScenarioScene::showBeam(const std::vector<simulation::EntityState>& entitie
     _beam.show(scenery::poseOf(entities[*_lampBearer]), bearer.lamps(), isDark && bearer.litLamps()[kHead]);
 }
 
+/// Sets all light points: what the eye sees of them, and how bright each group shines.
+void ScenarioScene::showLights(const simulation::EnvironmentState& environment,
+                               const osgTerrainROAM::AtmosphereSettings& air, double timeS)
+{
+    const double sunDeg = environment.sun.elevationDeg;
+    const scenery::LightLevels levels = scenery::levelsOf(_lightSteps, sunDeg, air.visibilityM);
+    constexpr double kDegreeS = 240.0; // of longitude, in the sun's time
+    const double dayS = std::fmod(1e-3 * static_cast<double>(environment.dateTime.unixMilliseconds) +
+                                      kDegreeS * _longitudeDeg,
+                                  scenery::kDayS);
+    _lights.show(scenery::leastIlluminanceLx(scenery::backgroundCdM2(sunDeg, air.cloudCover)), timeS, dayS,
+                 levels);
+    if (_airfield) _airfield->light(levels);
+    if (_settlements) _settlements->light(levels);
+}
+
 void ScenarioScene::showWeather(const simulation::EnvironmentState& environment, double timeS,
                                 const std::vector<simulation::EntityState>& entities)
 {
@@ -128,6 +151,7 @@ void ScenarioScene::showWeather(const simulation::EnvironmentState& environment,
     air.moonlight = _moonlight.value_or(air.moonlight);
     if (const auto set = _atmosphere->setSettings(air); !set)
         osg::notify(osg::WARN) << set.error().message() << std::endl;
+    showLights(environment, air, timeS);
     _roadWetness->set(roadWetnessOf(environment));
     const glm::dvec3 eye = _ridden ? entities[*_ridden].velocity : glm::dvec3(0.0);
     _drops.show(fallingOf(environment), timeS, windOf(environment), {eye.x, eye.y, eye.z});

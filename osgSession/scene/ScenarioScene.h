@@ -16,8 +16,10 @@
 
 #include "EntityModel.h"
 #include "SceneTerrain.h"
+#include "scenery/lights/LightSteps.h"
 #include "scenery/nodes/FallingDrops.h"
 #include "scenery/nodes/HeadLampBeam.h"
+#include "scenery/nodes/LightPoints.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/Quality.h"
 
@@ -66,6 +68,9 @@ public:
     /// Shadows and shaders of this quality, from the next picture on.
     void setQuality(const QualityRules& rules);
 
+    /// Steps of lamps that an instructor sets, from the next show() on.
+    void setLightSteps(const scenery::LightSteps& steps) { _lightSteps = steps; }
+
     /// Returns the eye in an entity. Frame: the entity's.
     const glm::dvec3& eyeIn(std::size_t entity) const { return _entities[entity].eye(); }
 
@@ -94,6 +99,8 @@ private:
     void showSignals(const std::map<std::string, std::string>& states);
     void showWeather(const simulation::EnvironmentState& environment, double timeS,
                      const std::vector<simulation::EntityState>& entities);
+    void showLights(const simulation::EnvironmentState& environment,
+                    const osgTerrainROAM::AtmosphereSettings& air, double timeS);
 
     osg::ref_ptr<osg::Group> _root;
     osg::ref_ptr<osgSky::Atmosphere> _atmosphere;
@@ -105,11 +112,15 @@ private:
     double _mapsReachM = 0.0;         ///< of the shadow maps that show what moves
     std::optional<double> _moonlight; ///< of the world; a scenario has none
     scenery::HeadLampBeam _beam;
-    std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads
-    std::shared_ptr<scenery::AirfieldNode> _airfield;     ///< null without any
-    std::map<std::string, std::string> _signals;          ///< states that are shown
-    simulation::GroundProvider _ground;                   ///< onto which shadows fall
-    std::vector<EntityModel> _entities;                   ///< in the order of Scenario::entities
+    scenery::LightUniforms _lights;
+    scenery::LightSteps _lightSteps{};
+    std::shared_ptr<scenery::RoadThingsNode> _roadThings;    ///< null without roads
+    std::shared_ptr<scenery::AirfieldNode> _airfield;        ///< null without any
+    std::shared_ptr<scenery::SettlementLights> _settlements; ///< the same
+    double _longitudeDeg = 0.0;                              ///< of the scene's origin: tells the hour there
+    std::map<std::string, std::string> _signals;             ///< states that are shown
+    simulation::GroundProvider _ground;                      ///< onto which shadows fall
+    std::vector<EntityModel> _entities;                      ///< in the order of Scenario::entities
 };
 
 } // namespace trainer

@@ -8,7 +8,9 @@
 #include <string>
 
 #include "ReadShapes.h"
+#include "scenery/buildings/Outline.h"
 #include "scenery/buildings/StandBuildings.h"
+#include "scenery/lights/RunwayLights.h"
 #include "scenery/models/Catalogue.h"
 #include "scenery/models/Dice.h"
 #include "scenery/nodes/BuildingsNode.h"
@@ -174,6 +176,24 @@ scenery::SkyOccluders wallsOf(const std::vector<scenery::StandingBuilding>& buil
     return occluders;
 }
 
+/// Notes where people are, and what a building has on its top: a control tower the beacon of its airfield,
+/// whatever is high a lamp for those who fly.
+void noteLights(const scenery::StandingBuilding& standing, MapScenery& map)
+{
+    constexpr double kHighM = 45.0;
+    const scenery::Building& building = standing.building;
+    const glm::dvec2 middle = scenery::rectangleAround(building.rings.front()).middle;
+    if (building.openings == scenery::Openings::house && building.rooms != scenery::RoomUse::unused)
+        map.houses.push_back(middle);
+    const double aboveM = building.eavesM + building.roofM + 1.0;
+    const glm::dvec3 top(middle, standing.floorM + aboveM);
+    const bool isTower = building.openings == scenery::Openings::control;
+    if (isTower)
+        for (const scenery::LightPoint& light : scenery::beaconLights(top))
+            map.lights.push_back(light);
+    if (isTower || aboveM > kHighM) map.lights.push_back(scenery::obstacleLight(top));
+}
+
 foundation::Outcome addBuildings(const std::filesystem::path& source,
                                  const osgTerrainROAM::core::RoamTile& tile,
                                  const foundation::HeightInPlan& ground, const scenery::NearestStreet& street,
@@ -187,8 +207,13 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
     map.notes.push_back(source.string() + ": " + std::to_string(made.buildings.size()) + " buildings; " +
                         std::to_string(shapes->outside + made.beyondGround) + " beyond the ground, " +
                         std::to_string(shapes->lines + shapes->invalid + made.unusable) + " not usable");
-    map.standing.push_back(
-        {"buildings", scenery::makeBuildingsNode(made.buildings), nullptr, {}, wallsOf(made.buildings)});
+    for (const scenery::StandingBuilding& standing : made.buildings)
+        noteLights(standing, map);
+    map.standing.push_back({"buildings",
+                            scenery::makeBuildingsNode(made.buildings, &map.panes),
+                            nullptr,
+                            {},
+                            wallsOf(made.buildings)});
     return foundation::success();
 }
 

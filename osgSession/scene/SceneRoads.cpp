@@ -18,6 +18,7 @@
 
 #include <osgRoads/RoadDrawable>
 
+#include "SceneLamps.h"
 #include "SceneMap.h"
 #include "SceneStrip.h"
 #include "SceneStructures.h"
@@ -66,7 +67,7 @@ struct PartsOfScene
     std::optional<foundation::Result<RoadParts>> roads;
     std::optional<foundation::Result<MapScenery>> map;
     std::optional<foundation::Result<MadeStructures>> structures;
-    std::optional<foundation::Result<std::vector<SceneRunway>>> runways;
+    std::optional<foundation::Result<SceneAirfields>> airfields;
 };
 
 foundation::Result<RoadParts> makeRoadParts(const RoamFile& description, const RoamTile& tile,
@@ -117,7 +118,7 @@ void addRoads(RoadParts made, const scenery::SceneRoads& roads, SceneTerrain& sc
 }
 
 /// Adds the buildings and objects of a description, and tells what of them could not be used.
-void addMap(MapScenery map, SceneTerrain& scene)
+void addMap(const MapScenery& map, SceneTerrain& scene)
 {
     for (const std::string& note : map.notes)
         OSG_NOTICE << note << '\n';
@@ -126,7 +127,20 @@ void addMap(MapScenery map, SceneTerrain& scene)
     group->addChild(scene.node);
     for (const StandingPart& part : map.standing)
         group->addChild(part.node);
-    scene.standing = std::move(map.standing);
+    scene.standing = map.standing;
+    scene.node = group;
+}
+
+/// Adds the lamps of settlements.
+void addLamps(const MapScenery& map, SceneTerrain& scene)
+{
+    scene.settlements =
+        settlementLights(map, scene.roads.get(), ground::groundOf(scene.terrain->tile()->tile).heights());
+    if (!scene.settlements) return;
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(scene.node);
+    group->addChild(scene.settlements->node());
+    scene.standing.push_back({"lamps", scene.settlements->node()});
     scene.node = group;
 }
 
@@ -148,7 +162,7 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
         [&]
         {
             parts.structures.emplace(makeStructures(description, *tile));
-            parts.runways.emplace(sceneRunways(description, *tile));
+            parts.airfields.emplace(sceneAirfields(description, *tile));
         });
     const auto terrain = makeLand(description, tile, roads, painted, kept);
     opening.end("land");
@@ -156,13 +170,14 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     if (!terrain) return terrain.error();
     if (!*parts.roads) return parts.roads->error();
     if (!*parts.map) return parts.map->error();
-    if (!*parts.runways) return parts.runways->error();
+    if (!*parts.airfields) return parts.airfields->error();
     if (!*parts.structures) return parts.structures->error();
     SceneTerrain scene{*terrain, *terrain, nullptr};
     if (roads.placed) addRoads(std::move(**parts.roads), roads, scene);
-    addMap(std::move(**parts.map), scene);
-    scene.runways = std::move(**parts.runways);
-    if (const auto added = addStructures(**parts.structures, scene); !added) return added.error();
+    addMap(**parts.map, scene);
+    addLamps(**parts.map, scene);
+    if (const auto added = addStructures(**parts.structures, **parts.airfields, scene); !added)
+        return added.error();
     opening.end("what stands on it");
     return scene;
 }

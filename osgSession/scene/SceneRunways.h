@@ -23,10 +23,25 @@ struct SceneRunway
     bool isPaved = true;
 };
 
-/// Returns the runways among the features that a .roam file names, in their order. Errors: as
+/// A taxiway: its middle line. Frame: the scene's. Units: metres.
+struct SceneTaxiway
+{
+    std::vector<glm::dvec2> middle;
+    double widthM = 15.0;
+};
+
+/// The runways of a world and the taxiways between them.
+struct SceneAirfields
+{
+    std::vector<SceneRunway> runways;
+    std::vector<SceneTaxiway> taxiways;
+};
+
+/// Returns the runways among the features that a .roam file names, in their order, and as taxiways the paved
+/// lines without marks, 9 m wide or more, that begin or end at a runway or at another taxiway. Errors: as
 /// importFeatures().
-foundation::Result<std::vector<SceneRunway>> sceneRunways(const osgTerrainROAM::core::RoamFile& description,
-                                                          const osgTerrainROAM::core::RoamTile& tile);
+foundation::Result<SceneAirfields> sceneAirfields(const osgTerrainROAM::core::RoamFile& description,
+                                                  const osgTerrainROAM::core::RoamTile& tile);
 
 /// Returns the strip to take off from and land on: the longest paved runway, or the longest where none is
 /// paved, in the direction against the wind. Nothing: there is none. `windFromDeg`: from north, clockwise;

@@ -13,6 +13,7 @@
 
 #include "ReadShapes.h"
 #include "scenery/ground/TileGround.h"
+#include "scenery/lights/RunwayLights.h"
 #include "scenery/nodes/StructuresNode.h"
 #include "scenery/roads/TunnelOpenings.h"
 #include "scenery/structures/HeightsInScene.h"
@@ -63,7 +64,33 @@ glm::dvec2 directionOf(const StripRequest& strip)
     return {std::sin(course), std::cos(course)};
 }
 
-/// The approach lights of both ends of a runway.
+scenery::RunwayPlan planOf(const SceneRunway& runway)
+{
+    const StripRequest& strip = runway.strip;
+    return {strip.threshold, strip.threshold + strip.lengthM * directionOf(strip), strip.widthM,
+            runway.isPaved};
+}
+
+/// The lamps of runways and taxiways. A taxiway without a lit runway has none.
+std::vector<scenery::LightPoint> lampsOf(const SceneAirfields& airfields,
+                                         const foundation::HeightInPlan& ground)
+{
+    std::vector<scenery::RunwayPlan> plans;
+    std::vector<scenery::LightPoint> lamps;
+    const auto take = [&](const std::vector<scenery::LightPoint>& some)
+    { lamps.insert(lamps.end(), some.begin(), some.end()); };
+    for (const SceneRunway& runway : airfields.runways)
+    {
+        plans.push_back(planOf(runway));
+        take(scenery::runwayLights(plans.back(), ground));
+    }
+    if (lamps.empty()) return lamps;
+    for (const SceneTaxiway& way : airfields.taxiways)
+        take(scenery::taxiwayLights(way.middle, way.widthM, plans, ground));
+    return lamps;
+}
+
+/// The PAPI of both ends of a runway.
 void addPapis(const SceneRunway& runway, const foundation::HeightInPlan& ground,
               std::vector<scenery::PapiUnit>& papis)
 {
@@ -122,18 +149,21 @@ foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::Ro
     return made;
 }
 
-foundation::Outcome addStructures(const MadeStructures& made, SceneTerrain& scene)
+foundation::Outcome addStructures(const MadeStructures& made, const SceneAirfields& airfields,
+                                  SceneTerrain& scene)
 {
+    scene.runways = airfields.runways;
     for (const std::string& note : made.notes)
         OSG_NOTICE << note << '\n';
     const foundation::HeightInPlan ground = groundOf(scene.terrain->tile()->tile);
     std::vector<scenery::PapiUnit> papis;
     for (const SceneRunway& runway : scene.runways)
         addPapis(runway, ground, papis);
+    const auto lamps = lampsOf(airfields, ground);
     std::vector<glm::dvec3> socks;
     for (const glm::dvec2& place : made.windsocks)
         if (const auto height = ground(place)) socks.emplace_back(place, *height);
-    if (!made.node && papis.empty() && socks.empty()) return foundation::success();
+    if (!made.node && papis.empty() && lamps.empty() && socks.empty()) return foundation::success();
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
     if (made.node)
@@ -145,7 +175,7 @@ foundation::Outcome addStructures(const MadeStructures& made, SceneTerrain& scen
     if (made.unused + made.beyondGround > 0)
         OSG_NOTICE << "structures: " << made.unused << " of no known kind, " << made.beyondGround
                    << " beyond the ground\n";
-    scene.airfield = std::make_shared<scenery::AirfieldNode>(papis, socks);
+    scene.airfield = std::make_shared<scenery::AirfieldNode>(papis, socks, lamps);
     group->addChild(scene.airfield->node());
     scene.node = group;
     return foundation::success();

@@ -35,10 +35,11 @@ struct MadeStructures
 foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::RoamFile& description,
                                                   const osgTerrainROAM::core::RoamTile& tile);
 
-/// Adds structures to a scene, and what stands at its runways: approach lights (PAPI) at both ends of paved
-/// ones of kLeastPapiM or more, and windsocks; and tells what could not be used. Errors: tunnels of railways
-/// whose openings cannot be cut.
-foundation::Outcome addStructures(const MadeStructures& made, SceneTerrain& scene);
+/// Adds structures to a scene, and its runways with what stands at them: PAPI at both ends of paved ones of
+/// kLeastPapiM or more, the lamps of their class, those of taxiways, and windsocks; and tells what could not
+/// be used. Errors: tunnels of railways whose openings cannot be cut.
+foundation::Outcome addStructures(const MadeStructures& made, const SceneAirfields& airfields,
+                                  SceneTerrain& scene);
 
 inline constexpr double kLeastPapiM = 600.0;
 

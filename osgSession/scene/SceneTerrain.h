@@ -22,6 +22,7 @@
 #include "request/PlayRequest.h"
 #include "scenery/nodes/AirfieldNode.h"
 #include "scenery/nodes/RoadThingsNode.h"
+#include "scenery/nodes/SettlementLights.h"
 #include "scenery/placement/SkyOccluders.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/state/EnvironmentState.h"
@@ -51,9 +52,10 @@ struct SceneTerrain
     glm::dvec2 cornerM{0.0};            ///< of the terrain's frame in that of the scene
     std::vector<SceneRunway> runways{}; ///< those of its maps
     std::vector<StandingPart> standing{};
-    simulation::WorldAir air{};                                ///< as the world file has it
-    std::optional<double> moonlight{};                         ///< the same
-    std::shared_ptr<scenery::AirfieldNode> airfield = nullptr; ///< lights and windsocks; null: none
+    simulation::WorldAir air{};                                       ///< as the world file has it
+    std::optional<double> moonlight{};                                ///< the same
+    std::shared_ptr<scenery::AirfieldNode> airfield = nullptr;        ///< lights and windsocks; null: none
+    std::shared_ptr<scenery::SettlementLights> settlements = nullptr; ///< lamps and windows; null: none
     osg::ref_ptr<osgMultiTriangulation::MtDrawable> triangulation =
         nullptr;                      ///< draws the ground instead of the ROAM terrain; null: none
     std::vector<std::string> notes{}; ///< what is not as it was asked for, one line each

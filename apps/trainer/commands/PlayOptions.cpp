@@ -173,6 +173,9 @@ void PlayOptions::addFrameOptions(CLI::App& command)
         .add_option("--shadows", _shadows,
                     "on or off: shadows of the sun on everything (the usual), or below entities alone")
         ->check(CLI::IsMember({"on", "off"}));
+    command.add_option("--lights", _lights,
+                       "steps 0 to 5 of lamps, such as approach=5,papi=3 or all=0: runway, centreLine, "
+                       "touchdownZone, approach, papi, taxiway, beacon, obstacle, street, all");
 }
 
 void PlayOptions::addEyeOptions(CLI::App& command)
@@ -269,6 +272,9 @@ foundation::Outcome PlayOptions::complete()
     for (const auto& [name, eye] : kEyes)
         if (_eye == name) frames.eye = eye;
     frames.hasShadows = _shadows == "on";
+    const auto steps = scenery::lightStepsOf(_lights);
+    if (!steps) return foundation::Error{"--lights " + _lights, steps.error().what, steps.error().remedy};
+    frames.lightSteps = *steps;
     if (!_interior.empty()) frames.interior = _interior == "on";
     if (const auto placed = placeFreeEye(); !placed) return placed;
     if (const auto placed = placeWindow(); !placed) return placed;

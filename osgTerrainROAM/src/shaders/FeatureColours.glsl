@@ -7,6 +7,7 @@
 
 uniform vec3 featureCrops[4];
 uniform vec3 featureSoil;
+uniform float featureLampsElsewhere; // 1: the lamps of runways are drawn as points, not painted
 
 float openShare(Paint paint) { return 1.0 - max(max(paint.beds.x, paint.beds.y), max(paint.beds.z, paint.beds.w)); }
 
@@ -29,7 +30,7 @@ vec4 fieldAlbedo(vec4 ground, Paint paint, Grain g, inout GroundKinds kinds)
 vec3 paintLight(Paint paint)
 {
     float night = smoothstep(0.02, -0.09, sunDirection().z);
-    return vec3(3.2, 2.7, 1.9) * (min(paint.marks.w, 1.5) * night);
+    return vec3(3.2, 2.7, 1.9) * (min(paint.marks.w, 1.5) * night * (1.0 - featureLampsElsewhere));
 }
 
 vec3 pavedAlbedo(vec3 albedo, Paint paint, Grain g)
