@@ -30,7 +30,8 @@ struct SkyKey
 /// Sunlight above the air. With it, level ground under a sun of 60 degrees is lit in white, as a camera that
 /// is set to daylight shows it: warm by the sun, blue by the sky.
 const osg::Vec3f kSunAboveAir(2.36f, 2.29f, 2.20f);
-/// Haze as in a layer of this height, even up to its top.
+/// Haze thins out over this height by 1/e; the sun's light comes through as much as if it were even up to it.
+/// Source: Elterman, UV, visible, and IR attenuation for altitudes to 50 km (1968): aerosols by 1.2 km.
 constexpr float kHazeLayerM = 1200.0f;
 /// What the ground reflects: grass and soil.
 const osg::Vec3f kGroundAlbedo(0.150f, 0.150f, 0.105f);
@@ -103,7 +104,7 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
 
     // Haze thins out with height; fog fills the valleys up to any height the eye is at.
     light.hazeScaleHeightM =
-        static_cast<float>(2500.0 / std::clamp((settings.visibilityM - 2000.0) / 18000.0, 1e-5, 1.0));
+        static_cast<float>(kHazeLayerM / std::clamp((settings.visibilityM - 2000.0) / 18000.0, 1e-5, 1.0));
 
     const float clear = static_cast<float>(std::exp(-green * kHazeLayerM));
     const float direct = (1.0f - 0.92f * cloud) * static_cast<float>(settings.sunIntensity);

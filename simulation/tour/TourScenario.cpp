@@ -16,6 +16,7 @@ namespace
 constexpr double kWantedElevationDeg = 33.0;
 constexpr double kWantedSideDeg = 115.0; ///< between flight and sun
 constexpr int kMinutesPerTry = 15;
+constexpr double kClearDayM = 60'000.0; ///< of sight
 
 /// Smaller is better.
 double lightFault(const SunDirection& sun, double compassDeg)
@@ -41,12 +42,11 @@ Position geoOrWorld(const TourTerrain& terrain, const std::optional<LocalFrame>&
 Environment tourEnvironment(const TourTerrain& terrain, double headingRad)
 {
     const double compassDeg = 90.0 - foundation::degreesOf(headingRad);
-    const double side = std::max(terrain.widthM(), terrain.depthM());
     Environment environment;
     environment.name = "tour";
     environment.weather.emplace();
     environment.weather->cloudState = "zeroOktas";
-    environment.weather->fogVisualRangeM = std::round(std::clamp(1.5 * side, 20'000.0, 60'000.0));
+    environment.weather->fogVisualRangeM = kClearDayM;
     const bool isSouth = terrain.origin && terrain.origin->latitudeDeg < 0.0;
     const DateTime midnight = *parseDateTime(isSouth ? "2024-12-21T00:00:00Z" : "2024-06-21T00:00:00Z");
     DateTime best = midnight.plusSeconds(36'000.0);

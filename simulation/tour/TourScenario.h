@@ -15,7 +15,7 @@ Scenario tourScenario(const TourTerrain& terrain, ScenarioObject ownship,
                       const std::vector<PathVertex>& vertices, const std::string& description);
 
 /// Makes an environment with the sun to the side and slightly behind an entity that moves along `headingRad`,
-/// and with a visibility that covers the extent.
+/// and 60 km of sight, as on a clear day.
 Environment tourEnvironment(const TourTerrain& terrain, double headingRad);
 
 } // namespace simulation
