@@ -7,6 +7,14 @@
 namespace simulation
 {
 
+namespace
+{
+
+constexpr double kMovedShare = 0.02; ///< of an axis' range: less of a pedal is nobody's foot
+constexpr double kStandsMps = 0.5;   ///< faster, a vehicle that begins is not parked
+
+} // namespace
+
 foundation::Result<ManualController> ManualController::create(std::vector<InputAxis> axes,
                                                               const DynamicVehicle& vehicle)
 {
@@ -26,6 +34,7 @@ foundation::Result<ManualController> ManualController::create(std::vector<InputA
 
 void ManualController::takeOver(std::span<const double> inputs, bool isStart)
 {
+    _isParked = isStart && _releases;
     for (std::size_t i = 0; i < _states.size(); ++i)
     {
         if (isStart && _states[i].isPut) continue;
@@ -78,7 +87,19 @@ void ManualController::control(const ControlView& view, std::span<double> inputs
         move(_axes[i], _states[i], speedMps, _stepS);
         inputs[_states[i].place] = _states[i].value;
     }
+    if (view.step == 0 && speedMps > kStandsMps) _isParked = false;
+    if (_isParked) park(inputs);
     if (_finish) _finish(inputs);
+}
+
+/// Holds what parks the vehicle, unless the axis that releases it was moved.
+void ManualController::park(std::span<double> inputs)
+{
+    const InputAxis& releases = _axes[*_releases];
+    const double moved = std::abs(_states[*_releases].value - releases.rest);
+    _isParked = moved <= kMovedShare * (releases.most - releases.least);
+    for (std::size_t i = 0; i < _states.size() && _isParked; ++i)
+        if (_axes[i].parked) inputs[_states[i].place] = *_axes[i].parked;
 }
 
 int ManualController::axisOf(std::string_view input) const

@@ -29,6 +29,9 @@ struct InputAxis
 
     /// Where it begins under manual control from the first step on; absent: where it is.
     std::optional<double> start{};
+
+    /// What the vehicle gets of it while it is parked (ManualController::parkUntil()); absent: the axis.
+    std::optional<double> parked{};
 };
 
 /// Controls a vehicle as a person does: keys that are held move an input step by step, devices put it where
@@ -46,6 +49,12 @@ public:
     /// before it stays.
     void takeOver(std::span<const double> inputs, bool isStart = false);
 
+    /// The vehicle is parked from the first step of all, where it begins at a standstill, until this axis is
+    /// moved away from its rest: axes that have a `parked` value give that one, whatever keys and devices do
+    /// with them meanwhile. Whoever takes over later has no parked vehicle.
+    void parkUntil(std::size_t axis) { _releases = axis; }
+    bool isParked() const { return _isParked; }
+
     /// A key is held that moves the axis up (1) or down (-1), or none is (0).
     void hold(std::size_t axis, double direction);
 
@@ -61,7 +70,7 @@ public:
     void finishBy(Finish finish) { _finish = std::move(finish); }
 
     void control(const ControlView& view, std::span<double> inputs) override;
-    std::string_view phase() const override { return "hand"; }
+    std::string_view phase() const override { return _isParked ? "parked" : "hand"; }
 
     /// The axis of an input; -1: there is none.
     int axisOf(std::string_view input) const;
@@ -79,8 +88,12 @@ private:
     explicit ManualController(std::vector<InputAxis> axes) : _axes(std::move(axes)), _states(_axes.size()) {}
     void move(const InputAxis& axis, AxisState& state, double speedMps, double stepS) const;
 
+    void park(std::span<double> inputs);
+
     std::vector<InputAxis> _axes;
     std::vector<AxisState> _states;
+    std::optional<std::size_t> _releases; ///< the axis that ends parking
+    bool _isParked = false;
     double _stepS = 0.0;
     Finish _finish;
 };

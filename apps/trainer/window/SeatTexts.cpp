@@ -11,10 +11,10 @@ namespace
 
 constexpr double kToldS = 4.0; ///< how long a message stands
 
-std::string paceText(const simulation::RealTimePace& pace)
+std::string paceText(const simulation::RealTimePace& pace, std::string_view phase)
 {
     if (pace.isPaused()) return "pause";
-    if (pace.rate() == 1.0) return {};
+    if (pace.rate() == 1.0) return phase == "parked" ? "parking brake on: throttle drives off" : "";
     char text[40];
     std::snprintf(text, sizeof text, "%g times real time", pace.rate());
     return text;
@@ -26,7 +26,7 @@ void SeatTexts::show(TextOverlay& overlay, double wallS, const simulation::RealT
                      const PictureTimes& times, double tolerancePx, std::string_view phase) const
 {
     const bool isTelling = wallS - _toldAtS < kToldS && !_told.empty();
-    overlay.setMessage(isTelling ? _told : paceText(pace));
+    overlay.setMessage(isTelling ? _told : paceText(pace, phase));
     if (!overlay.areStatisticsShown()) return;
     char text[300];
     std::snprintf(text, sizeof text,

@@ -63,12 +63,13 @@ ManualController manualDriver(const RoadVehicle& vehicle)
         {"steering", -1.0, 1.0, 0.6, 1.2, 0.0, softMps, softLeast},
         {"throttle", 0.0, 1.0, 1.5, 3.0},
         {"brake", 0.0, 1.0, 1.5, 4.0},
-        {"handbrake", 0.0, 1.0, 4.0, 4.0},
-        {"gear", -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0},
+        {"handbrake", 0.0, 1.0, 4.0, 4.0, 0.0, 0.0, 0.0, std::nullopt, 1.0},
+        {"gear", -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0},
         {"indicator", -1.0, 1.0, 0.0},
         {"lights", -1.0, 1.0, 0.0},
     };
     auto manual = ManualController::create(std::move(axes), vehicle);
+    manual->parkUntil(static_cast<std::size_t>(manual->axisOf("throttle")));
     manual->finishBy(ClutchFoot(vehicle));
     return std::move(*manual);
 }
