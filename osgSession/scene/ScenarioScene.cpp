@@ -127,7 +127,7 @@ void ScenarioScene::showBeam(const std::vector<simulation::EntityState>& entitie
 
 /// Sets all light points: what the eye sees of them, and how bright each group shines.
 void ScenarioScene::showLights(const simulation::EnvironmentState& environment,
-                               const osgTerrainROAM::AtmosphereSettings& air, double timeS)
+                               const osgSky::AtmosphereSettings& air, double timeS)
 {
     const double sunDeg = environment.sun.elevationDeg;
     const scenery::LightLevels levels = scenery::levelsOf(_lightSteps, sunDeg, air.visibilityM);

@@ -100,7 +100,7 @@ private:
     void showWeather(const simulation::EnvironmentState& environment, double timeS,
                      const std::vector<simulation::EntityState>& entities);
     void showLights(const simulation::EnvironmentState& environment,
-                    const osgTerrainROAM::AtmosphereSettings& air, double timeS);
+                    const osgSky::AtmosphereSettings& air, double timeS);
 
     osg::ref_ptr<osg::Group> _root;
     osg::ref_ptr<osgSky::Atmosphere> _atmosphere;

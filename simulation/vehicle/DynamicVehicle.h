@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 
@@ -8,6 +9,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "simulation/contact/Impact.h"
 #include "simulation/state/EntityState.h"
 #include "simulation/vehicle/Air.h"
 #include "simulation/vehicle/Ground.h"
@@ -22,6 +24,8 @@ enum class VehicleCondition
     crashed, ///< it hit something too hard; it still slides, without power
     failed   ///< its motion left what can be computed; it stands still at the last good state
 };
+
+class ObstacleMap;
 
 /// Condition and its reason.
 struct VehicleStatus
@@ -77,6 +81,13 @@ public:
     /// Errors: no such beginning (in water, inside the ground, too slow to fly), with the place; then the
     /// vehicle is as before.
     virtual foundation::Outcome begin(const VehicleStart& start, const Ground& ground, const Air& air) = 0;
+
+    /// From now on it meets what stands in a scene; null: nothing does. A vehicle that knows no contact
+    /// drives through.
+    virtual void meet(std::shared_ptr<const ObstacleMap> /*obstacles*/) {}
+
+    /// What it hit since it began, in the order of time.
+    virtual std::span<const Impact> impacts() const { return {}; }
 
     /// The reference point of EntityState, from the centre of mass: on the ground below the rear axle, struts
     /// unloaded. Body axes.

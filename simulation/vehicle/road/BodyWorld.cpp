@@ -8,6 +8,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include "simulation/vehicle/road/GroundPatch.h"
+#include "simulation/vehicle/road/ObstacleBodies.h"
 
 namespace simulation
 {
@@ -46,6 +47,7 @@ struct BodyWorld::Parts
     GroundPatches patches;
     btCollisionObject ground;
     bool hasGround = false;
+    ObstacleBodies obstacles{world};
     std::vector<std::unique_ptr<Solid>> solids;
 
     Solid& at(int body) { return *solids[static_cast<std::size_t>(body)]; }
@@ -152,10 +154,13 @@ void BodyWorld::Parts::readHits()
         if (manifold.getNumContacts() == 0) continue;
         double impulse = 0.0;
         bool touches = false;
+        const btManifoldPoint* hardest = &manifold.getContactPoint(0);
         for (int c = 0; c < manifold.getNumContacts(); ++c)
         {
-            impulse += manifold.getContactPoint(c).getAppliedImpulse();
-            touches = touches || manifold.getContactPoint(c).getDistance() <= 0.0;
+            const btManifoldPoint& point = manifold.getContactPoint(c);
+            impulse += point.getAppliedImpulse();
+            touches = touches || point.getDistance() <= 0.0;
+            if (point.getAppliedImpulse() > hardest->getAppliedImpulse()) hardest = &point;
         }
         const btCollisionObject* const both[] = {manifold.getBody0(), manifold.getBody1()};
         for (const auto& solid : solids)
@@ -163,9 +168,35 @@ void BodyWorld::Parts::readHits()
             if (solid->body.get() != both[0] && solid->body.get() != both[1]) continue;
             solid->hit.touches = solid->hit.touches || touches;
             // The change of speed that the contact made.
-            solid->hit.closingMps = std::max(solid->hit.closingMps, impulse * solid->body->getInvMass());
+            const double change = impulse * solid->body->getInvMass();
+            solid->hit.closingMps = std::max(solid->hit.closingMps, change);
+            for (const btCollisionObject* other : both)
+                if (const auto number = ObstacleBodies::numberOf(*other);
+                    number && change > solid->hit.obstacleMps)
+                {
+                    solid->hit.obstacle = number;
+                    solid->hit.obstacleMps = change;
+                    solid->hit.place = vectorOf(hardest->getPositionWorldOnA());
+                }
         }
     }
+}
+
+void BodyWorld::stand(int body, const ObstacleMap& map, std::span<const std::uint32_t> numbers)
+{
+    _parts->obstacles.stand(body, map, numbers);
+}
+
+void BodyWorld::strike(int body, const glm::dvec3& impulse, const glm::dvec3& arm)
+{
+    _parts->at(body).body->applyImpulse(bulletOf(impulse), bulletOf(arm));
+}
+
+double BodyWorld::inverseMassAt(int body, const glm::dvec3& arm, const glm::dvec3& direction) const
+{
+    const btRigidBody& solid = *_parts->at(body).body;
+    return solid.computeImpulseDenominator(solid.getCenterOfMassPosition() + bulletOf(arm),
+                                           bulletOf(direction));
 }
 
 void BodyWorld::step(double stepS)

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "simulation/contact/ObstacleMap.h"
 #include "simulation/vehicle/Ground.h"
 #include "simulation/vehicle/road/RoadVehicleData.h"
 
@@ -27,9 +30,14 @@ struct SolidHit
 {
     bool touches = false;
     double closingMps = 0.0; ///< the fastest closing speed among its contacts, before they were resolved
+
+    std::optional<std::uint32_t> obstacle{}; ///< that it met hardest
+    double obstacleMps = 0.0;                ///< closing speed there
+    glm::dvec3 place{0.0};                   ///< where
 };
 
-/// Rigid bodies of boxes that meet each other and the ground: a world of Bullet in double precision.
+/// Rigid bodies of boxes that meet each other, the ground and what stands on it: a world of Bullet in double
+/// precision.
 ///
 /// Forces are added before each step and hold for it alone. The ground is met only where a body has been
 /// given a patch of it. One thread, a fixed order of bodies: the same calls give the same bytes.
@@ -56,6 +64,16 @@ public:
     /// lies.
     void layGround(int body, const Ground& ground, double reachM);
     void liftGround(int body);
+
+    /// Lets things of a map stand around a body, by their numbers in ascending order. All bodies have one
+    /// map, which must outlive the world.
+    void stand(int body, const ObstacleMap& map, std::span<const std::uint32_t> numbers);
+
+    /// An impulse at a point given from the centre of mass, scene's axes, at once. Units: N s, metres.
+    void strike(int body, const glm::dvec3& impulse, const glm::dvec3& arm);
+
+    /// The speed along a unit vector that an impulse of 1 N s along it at a point changes there. Units: 1/kg.
+    double inverseMassAt(int body, const glm::dvec3& arm, const glm::dvec3& direction) const;
 
     void step(double stepS);
 

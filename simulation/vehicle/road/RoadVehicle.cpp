@@ -138,6 +138,7 @@ void RoadVehicle::prepare(const Ground& ground, const Air& air)
     if (std::none_of(_wheels.begin(), _wheels.end(), [](const RoadWheel& w) { return w.ground.isKnown(); }))
         return fail("there is no ground below it");
     liftOutOfGround();
+    lookAtObstacles();
 }
 
 double RoadVehicle::shaftRadps() const
@@ -163,7 +164,12 @@ void RoadVehicle::end(double stepS)
         _world->place(_body, _motion);
     }
     const SolidHit hit = _world->hit(_body);
-    if (hit.closingMps > _data->hull.crashesAtMps) crash("it hit something hard");
+    if (hit.obstacle)
+        _obstacles.note(
+            {_timeS + kStepS, *hit.obstacle, hit.obstacleMps, hit.place, _before.velocity, false});
+    if (hit.closingMps > _data->hull.crashesAtMps)
+        crash(hit.obstacle && hit.obstacleMps == hit.closingMps ? _obstacles.reason(*hit.obstacle)
+                                                                : "it hit something hard");
     const bool isOver = glm::dot(axes().up, -_gravity) < kOverCosine * glm::length(_gravity);
     _overS = isOver ? _overS + stepS : 0.0;
     if (_overS > kOverTimeS && hit.touches) crash("it rolled over");

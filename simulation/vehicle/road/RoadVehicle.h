@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "simulation/vehicle/DynamicVehicle.h"
 #include "simulation/vehicle/EarthFrame.h"
 #include "simulation/vehicle/road/BodyWorld.h"
 #include "simulation/vehicle/road/Drivetrain.h"
+#include "simulation/vehicle/road/ObstacleMeeting.h"
 #include "simulation/vehicle/road/RoadInputs.h"
 #include "simulation/vehicle/road/RoadVehicleData.h"
 #include "simulation/vehicle/road/WheelGround.h"
@@ -86,6 +88,11 @@ public:
     void writeParts(EntityState& entity) const override;
     VehicleState state() const override;
     VehicleStatus status() const override { return _status; }
+    void meet(std::shared_ptr<const ObstacleMap> obstacles) override
+    {
+        _obstacles.meet(std::move(obstacles));
+    }
+    std::span<const Impact> impacts() const override { return _obstacles.impacts(); }
 
     /// Steps vehicles that share a world.
     static void stepTogether(std::span<RoadVehicle* const> vehicles, const Ground& ground, const Air& air);
@@ -123,6 +130,9 @@ private:
     void steer();
     void lookAtGround(const Ground& ground);
     void liftOutOfGround();
+    void lookAtObstacles();
+    void meetGiving(std::uint32_t number);
+    HullPlan planOf(const HullBox& box) const;
     glm::dvec3 airForce(const Air& air) const;
     double springForce(std::size_t wheel) const;
     void pressWheel(std::size_t wheel, double driveNm, double stepS);
@@ -151,6 +161,7 @@ private:
     double _timeS = 0.0, _startS = 0.0;
     std::int64_t _step = 0;
     VehicleStatus _status;
+    ObstacleMeeting _obstacles;
 };
 
 } // namespace simulation
