@@ -100,7 +100,7 @@ private:
             _roads ? scenery::heightOnRoads(*_roads, {point.x, point.y, land->heightM}, point.z + kClimbableM)
                    : land->heightM;
         const double sea = _sea ? seaHeightAt(*_sea, point + _corner) : height;
-        if (height < sea) return {sea, {0.0, 0.0, 1.0}, GroundKind::water, true};
+        if (height < sea) return {sea, {0.0, 0.0, 1.0}, GroundKind::water, true, 1.0, sea - height};
         const bool isRoad = std::abs(height - land->heightM) > kAboveBedM;
         return {height, {0.0, 0.0, 1.0}, isRoad ? _paving : GroundKind::grass, true};
     }

@@ -35,7 +35,8 @@ public:
         {
             const double seaM = seaHeightAt(*_seaLevelM, points[i]);
             if (answers[i].isKnown && answers[i].heightM < seaM)
-                answers[i] = {seaM, {0.0, 0.0, 1.0}, simulation::GroundKind::water, true};
+                answers[i] = {seaM, {0.0, 0.0, 1.0},          simulation::GroundKind::water, true,
+                              1.0,  seaM - answers[i].heightM};
         }
     }
 

@@ -60,6 +60,7 @@ struct GroundPoint
     GroundKind kind = GroundKind::asphalt;
     bool isKnown = false;   ///< false outside the data
     double gripScale = 1.0; ///< of the friction that its kind has
+    double depthM = 5.0;    ///< of water over its bed, where it is water
 };
 
 /// The ground as vehicles ask for it. The same question must always have the same answer.

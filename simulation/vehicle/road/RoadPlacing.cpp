@@ -62,6 +62,8 @@ void RoadVehicle::place(const RoadStart& start, const Ground& ground, double tim
     _acceleration = _airForce = glm::dvec3(0.0);
     _wheels = {};
     _obstacles.forget();
+    _waterM.reset();
+    _airShare = 1.0;
     _drivetrain.reset();
     _before = SolidMotion{};
     _before.position.z = _mass.centre.z;

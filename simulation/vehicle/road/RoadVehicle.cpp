@@ -6,6 +6,7 @@
 
 #include <foundation/Angle.h>
 
+#include "simulation/vehicle/BedGround.h"
 #include "simulation/vehicle/StandardAtmosphere.h"
 #include "simulation/vehicle/road/Roughness.h"
 #include "simulation/vehicle/road/Tyre.h"
@@ -134,7 +135,9 @@ void RoadVehicle::prepare(const Ground& ground, const Air& air)
     steer();
     _drivetrain.choose(_inputs, shaftRadps(), kStepS);
     _airForce = airForce(air);
-    lookAtGround(ground);
+    const BedGround bed(ground);
+    lookAtGround(bed);
+    lookAtWater(ground, bed.hasWater());
     if (std::none_of(_wheels.begin(), _wheels.end(), [](const RoadWheel& w) { return w.ground.isKnown(); }))
         return fail("there is no ground below it");
     liftOutOfGround();
@@ -173,8 +176,6 @@ void RoadVehicle::end(double stepS)
     const bool isOver = glm::dot(axes().up, -_gravity) < kOverCosine * glm::length(_gravity);
     _overS = isOver ? _overS + stepS : 0.0;
     if (_overS > kOverTimeS && hit.touches) crash("it rolled over");
-    for (const RoadWheel& wheel : _wheels)
-        if (wheel.isTouching() && wheel.ground.kind() == GroundKind::water) crash("it drove into water");
 }
 
 bool RoadVehicle::isComputable() const

@@ -130,6 +130,8 @@ private:
     void steer();
     void lookAtGround(const Ground& ground);
     void liftOutOfGround();
+    void lookAtWater(const Ground& ground, bool hasWater);
+    void swim(double stepS);
     void lookAtObstacles();
     void meetGiving(std::uint32_t number);
     HullPlan planOf(const HullBox& box) const;
@@ -162,6 +164,8 @@ private:
     std::int64_t _step = 0;
     VehicleStatus _status;
     ObstacleMeeting _obstacles;
+    std::optional<double> _waterM; ///< level of the water around it
+    double _airShare = 1.0;        ///< of the hull that water has not filled
 };
 
 } // namespace simulation

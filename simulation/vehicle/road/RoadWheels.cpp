@@ -154,6 +154,7 @@ void RoadVehicle::press(double stepS)
     for (std::size_t i = 0; i < 4; ++i)
         pressWheel(i, 0.5 * _data->axles[i / 2].driveShare * driveNm, stepS);
     _world->push(_body, _airForce, glm::dvec3(0.0));
+    swim(stepS);
 }
 
 } // namespace simulation

@@ -156,7 +156,7 @@ TEST(RoadVehicleTest, SaysWhenThereIsNoGroundOrWater)
     vehicle.place({{NAN, 0.0, 0.0}, 0.0, 0.0}, LevelGround());
     EXPECT_EQ(vehicle.status().condition, VehicleCondition::failed);
     vehicle.place({}, LevelGround(0.0, GroundKind::water));
-    stepFor(vehicle, LevelGround(0.0, GroundKind::water), 0.1);
+    stepFor(vehicle, LevelGround(0.0, GroundKind::water), 1.0);
     EXPECT_EQ(vehicle.status().reason, "it drove into water");
 }
 
