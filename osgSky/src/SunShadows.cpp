@@ -55,6 +55,7 @@ osg::ref_ptr<osg::Camera> makeCamera(osg::Texture2D* texture, int map, const Sun
     camera->setRenderOrder(osg::Camera::PRE_RENDER, map - kMaps);             // before mirrors
     camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
     camera->attach(osg::Camera::DEPTH_BUFFER, texture);
+    camera->setImplicitBufferAttachmentMask(0, 0); // OSG adds a buffer of colours to each camera otherwise
     camera->setDrawBuffer(GL_NONE);
     camera->setReadBuffer(GL_NONE);
     camera->setClearMask(GL_DEPTH_BUFFER_BIT);
