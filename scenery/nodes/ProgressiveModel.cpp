@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/ProgressiveModel.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -12,14 +13,14 @@
 #include <foundation/KeptResults.h>
 
 #include <osg/Matrixd>
-#include <osg/Texture>
 
 #include <osgPMObjects/core/field/FieldLevels.h>
 #include <osgPMObjects/core/progressive/PmFile.h>
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
-#include "scenery/nodes/ModelStates.h"
+#include "scenery/nodes/PaintedTexture.h"
+#include "scenery/nodes/SurfaceState.h"
 
 namespace scenery
 {
@@ -117,26 +118,36 @@ fieldShapeOf(core::Mesh mesh, std::vector<osg::ref_ptr<osg::StateSet>> states,
 namespace
 {
 
-void useIsotropicTextures(const std::vector<osg::ref_ptr<osg::StateSet>>& states)
+/// The states of models for fields; those of equal surfaces are one.
+class FieldSurfaces
 {
-    for (const osg::ref_ptr<osg::StateSet>& state : states)
-        if (auto* const texture =
-                dynamic_cast<osg::Texture*>(state->getTextureAttribute(0, osg::StateAttribute::TEXTURE)))
-            texture->setMaxAnisotropy(1.0F);
-}
+public:
+    std::vector<osg::ref_ptr<osg::StateSet>> statesOf(const models::Model& model)
+    {
+        std::vector<osg::ref_ptr<osg::StateSet>> states;
+        for (const models::Surface& surface : model.surfaces)
+        {
+            osg::ref_ptr<osg::StateSet>& state = _states[{surface.painting, surface.coat}];
+            const bool isFoliage = surface.coat == models::Coat::foliage;
+            if (!state) state = surfaceState(surface, paintedTexture(surface.painting, isFoliage, 1.0F));
+            states.push_back(state);
+        }
+        return states;
+    }
+
+private:
+    std::map<std::pair<models::Painting, models::Coat>, osg::ref_ptr<osg::StateSet>> _states;
+};
 
 } // namespace
 
 std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>>
 makeProgressiveModels(std::vector<models::Model> models)
 {
-    ModelStates states; // paints, in one thread
+    FieldSurfaces states; // paints, in one thread
     std::vector<std::vector<osg::ref_ptr<osg::StateSet>>> statesOf;
     for (const models::Model& model : models)
-    {
         statesOf.push_back(states.statesOf(model));
-        useIsotropicTextures(statesOf.back());
-    }
     std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>> shapes(models.size());
     const foundation::KeptResults kept = foundation::KeptResults::ofUser();
     foundation::forEachAtOnce(

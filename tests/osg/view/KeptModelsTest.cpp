@@ -4,6 +4,8 @@
 #include <foundation/KeptResults.h>
 #include <gtest/gtest.h>
 
+#include <osg/observer_ptr>
+
 #include <osgPMObjects/core/field/FieldLevels.h>
 #include <osgPMObjects/core/progressive/PmFile.h>
 
@@ -13,6 +15,8 @@
 #include "scenery/models/Paint.h"
 #include "scenery/models/paint/MipChain.h"
 #include "scenery/nodes/KeptPaintings.h"
+#include "scenery/nodes/ModelStates.h"
+#include "scenery/nodes/PaintedTexture.h"
 #include "scenery/nodes/ProgressiveModel.h"
 #include "scenery/nodes/SceneryShapes.h"
 
@@ -108,4 +112,22 @@ TEST(KeptModels, ASceneryThatWasOpenedBeforeMakesAndPaintsNothing)
         written += file != files.at(name) ? 1U : 0U;
     EXPECT_EQ(filesIn(made).size(), files.size());
     EXPECT_LE(written, 1U); // the number of a file that is gone may be given again
+}
+
+TEST(KeptModels, PaintedTexturesAreSharedAsLongAsSomebodyUsesThem)
+{
+    osg::ref_ptr<osg::Texture2D> texture = scenery::paintedTexture(Painting::plaster, false, 4.0F);
+    EXPECT_EQ(scenery::paintedTexture(Painting::plaster, false, 4.0F), texture);
+    EXPECT_NE(scenery::paintedTexture(Painting::plaster, false, 1.0F), texture);
+    EXPECT_EQ(scenery::paintedTexture(Painting::plaster, false, 1.0F)->getMaxAnisotropy(), 1.0F);
+    scenery::ModelStates states, others;
+    const scenery::models::Surface surface{Painting::plaster, scenery::models::Coat::matt};
+    for (scenery::ModelStates* const made : {&states, &others})
+        EXPECT_EQ(made->stateOf(surface)->getTextureAttribute(0, osg::StateAttribute::TEXTURE),
+                  texture.get());
+    const osg::observer_ptr<osg::Texture2D> watched(texture);
+    states = others = scenery::ModelStates();
+    texture = nullptr;
+    EXPECT_FALSE(watched.valid());
+    EXPECT_TRUE(scenery::paintedTexture(Painting::plaster, false, 4.0F));
 }
