@@ -2,17 +2,14 @@
 #include "SceneMap.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <numbers>
 #include <string>
 
+#include "MapObjects.h"
 #include "ReadShapes.h"
 #include "scenery/buildings/Outline.h"
 #include "scenery/buildings/StandBuildings.h"
 #include "scenery/lights/RunwayLights.h"
 #include "scenery/models/Catalogue.h"
-#include "scenery/models/Dice.h"
 #include "scenery/nodes/BuildingsNode.h"
 #include "scenery/nodes/SceneryNode.h"
 #include "scenery/roads/NearestStreet.h"
@@ -23,39 +20,9 @@ namespace trainer
 namespace
 {
 
-using osgTerrainROAM::core::MapShape;
-using osgTerrainROAM::core::ShapeSet;
-
 constexpr double kTreesGoneM = 1600.0, kTreesFadeM = 1300.0, kHousesGoneM = 8000.0;
 static_assert(kTreesFadeM >= 1000.0); // an eye over a wood sees trees for a kilometre
 constexpr std::uint64_t kBudgetTriangles = 400000;
-
-double numberIn(const MapShape& shape, std::string_view key, double otherwise)
-{
-    const auto found = shape.tags.find(key);
-    if (found == shape.tags.end()) return otherwise;
-    double number = otherwise;
-    const std::string& text = found->second;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return failure == std::errc() && std::isfinite(number) ? number : otherwise;
-}
-
-std::string_view tagIn(const MapShape& shape, std::string_view key)
-{
-    const auto found = shape.tags.find(key);
-    return found == shape.tags.end() ? std::string_view() : std::string_view(found->second);
-}
-
-/// The model that stands at a point: that of its `kind`, or for a tree of OpenStreetMap one of its leaves.
-std::optional<scenery::models::Kind> kindOf(const MapShape& shape)
-{
-    const std::string_view name = tagIn(shape, "kind");
-    for (const auto& facts : scenery::models::kinds())
-        if (facts.name == name) return facts.kind;
-    if (tagIn(shape, "natural") != "tree") return std::nullopt;
-    return tagIn(shape, "leaf_type") == "needleleaved" ? scenery::models::Kind::spruce
-                                                       : scenery::models::Kind::oak;
-}
 
 /// Vehicles by the continuous rule T with geomorph: level by level as far as the vertex.
 void drawContinuously(scenery::SceneryField& field)
@@ -99,16 +66,21 @@ scenery::SceneryField fieldOf(const scenery::SceneryObject& object, std::size_t 
 class Objects
 {
 public:
-    explicit Objects(const foundation::HeightInPlan& ground) : _ground(ground)
-    {
-        _description.budget.budget = kBudgetTriangles;
-    }
+    Objects() { _description.budget.budget = kBudgetTriangles; }
 
-    void add(const ShapeSet& shapes)
+    void add(const MapObjects& made)
     {
-        _placed.placements.reserve(_placed.placements.size() + shapes.shapes.size());
-        for (const MapShape& shape : shapes.shapes)
-            if (shape.isArea() || !stand(shape)) ++unused;
+        std::vector<std::uint32_t> numbers;
+        for (const MapModel& model : made.models)
+            numbers.push_back(numberOf({static_cast<scenery::models::Kind>(model.kind), model.seed, {}}));
+        _placed.placements.reserve(_placed.placements.size() + made.objects.size());
+        for (const MapObject& object : made.objects)
+        {
+            const std::uint32_t number = numbers[object.model];
+            _placed.placements.push_back(
+                {object.position, scenery::uprightAxes(object.headingRad), object.scale, number, number});
+        }
+        unused += made.unused;
     }
 
     foundation::Outcome addTo(std::vector<StandingPart>& standing, const std::string& place) const
@@ -123,25 +95,9 @@ public:
     }
 
     bool isEmpty() const { return _placed.placements.empty(); }
-    std::size_t unused = 0;
+    std::uint64_t unused = 0;
 
 private:
-    bool stand(const MapShape& shape)
-    {
-        const auto kind = kindOf(shape);
-        const auto heightM = kind ? _ground(glm::dvec2(shape.point)) : std::nullopt;
-        if (!heightM) return false;
-        scenery::models::Dice dice(static_cast<std::uint64_t>(shape.id));
-        const double bearing = numberIn(shape, "heading", dice.between(0.0, 360.0));
-        const double heading = std::numbers::pi * (0.5 - bearing / 180.0);
-        const auto seed = static_cast<std::uint64_t>(std::clamp(numberIn(shape, "seed", 1.0), 0.0, 1000.0));
-        const std::uint32_t number = numberOf({kind, seed, {}});
-        const double scale = std::clamp(numberIn(shape, "scale", 1.0), 0.05, 20.0);
-        _placed.placements.push_back(
-            {{shape.point, *heightM}, scenery::uprightAxes(heading), scale, number, number});
-        return true;
-    }
-
     std::uint32_t numberOf(const scenery::SceneryObject& object)
     {
         const auto same = [&](const scenery::SceneryField& field) { return field.objects.front() == object; };
@@ -151,7 +107,6 @@ private:
         return static_cast<std::uint32_t>(number);
     }
 
-    const foundation::HeightInPlan& _ground;
     scenery::SceneryDescription _description; ///< a field for each model
     scenery::PlacedScenery _placed;
 };
@@ -228,13 +183,13 @@ foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFi
     const scenery::NearestStreet street = roads ? scenery::nearestStreet(*roads) : scenery::NearestStreet();
     for (const std::filesystem::path& source : description.buildings)
         if (const auto added = addBuildings(source, tile, ground, street, map); !added) return added.error();
-    Objects objects(ground);
+    Objects objects;
     for (const std::filesystem::path& source : description.objects)
     {
-        const auto shapes = readShapes(source, tile);
-        if (!shapes) return shapes.error();
-        map.notes.insert(map.notes.end(), shapes->notes.begin(), shapes->notes.end());
-        objects.add(*shapes);
+        const auto made = readMapObjects(source, tile, ground);
+        if (!made) return made.error();
+        map.notes.insert(map.notes.end(), made->notes.begin(), made->notes.end());
+        objects.add(*made);
         if (objects.isEmpty()) return nothingIn(source, "give points with a kind of the generated models");
     }
     if (objects.unused > 0)
