@@ -161,6 +161,8 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     play.cover = makeCover(play.terrain);
     if (play.cover) play.scene->sunlit().addChild(play.cover->node());
     play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->occluders : nullptr);
+    for (StandingPart& part : play.terrain.standing)
+        part.occluders = {}; // they have been copied
     if (play.skyShade) play.scene->sunlit().addChild(play.skyShade->node());
     trainer::setQuality(play, request.frames.quality);
     request.terrain.opening->end("cover");

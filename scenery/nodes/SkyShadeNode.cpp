@@ -33,6 +33,18 @@ osg::ref_ptr<osg::StateSet> patchState()
     return state;
 }
 
+/// The numbers of bodies, then of walls by their middle, by cells.
+std::map<std::pair<int, int>, std::vector<std::size_t>> cellsOf(const SkyOccluders& occluders)
+{
+    std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
+    std::size_t number = 0;
+    for (const SkyOccluder& body : occluders.bodies)
+        cells[cellOf(body.place)].push_back(number++);
+    for (const SkyWall& wall : occluders.walls)
+        cells[cellOf(0.5 * (wall.from + wall.to))].push_back(number++);
+    return cells;
+}
+
 } // namespace
 
 osg::ref_ptr<osg::Program> makeSkyShadeProgram()
@@ -46,11 +58,6 @@ SkyShadeNode::SkyShadeNode(SkyOccluders occluders, foundation::HeightInPlan grou
       _geometry(new osg::Geometry),
       _placed(new osg::MatrixTransform)
 {
-    for (std::size_t i = 0; i < _occluders.bodies.size(); ++i)
-        _inCell[cellOf(_occluders.bodies[i].place)].push_back(i);
-    for (std::size_t i = 0; i < _occluders.walls.size(); ++i)
-        _inCell[cellOf(0.5 * (_occluders.walls[i].from + _occluders.walls[i].to))].push_back(
-            _occluders.bodies.size() + i);
     _geometry->setDataVariance(osg::Object::DYNAMIC);
     _geometry->setUseDisplayList(false);
     _geometry->setUseVertexBufferObjects(true);
@@ -95,6 +102,7 @@ void SkyShadeNode::gather(const glm::dvec3& eye)
     const osg::ref_ptr<osg::Vec2Array> hidden = new osg::Vec2Array;
     const osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     std::map<std::size_t, SkyShadePatch> near;
+    if (_isShown && _inCell.empty()) _inCell = cellsOf(_occluders); // where they are never shown, never
     for (int y = -kAround; _isShown && y <= kAround; ++y)
         for (int x = -kAround; x <= kAround; ++x)
         {
