@@ -25,6 +25,7 @@ struct CoverLevel
 
 unsigned char mostOf(const std::array<unsigned char, 4>& four)
 {
+    if (four[0] == four[1] && four[0] == four[2] && four[0] == four[3]) return four[0]; // nearly all
     unsigned char most = four[0];
     std::ptrdiff_t votes = 0;
     for (const unsigned char kind : four)
@@ -39,6 +40,7 @@ unsigned char mostOf(const std::array<unsigned char, 4>& four)
 CoverLevel halved(const CoverLevel& fine)
 {
     CoverLevel coarse{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
+    coarse.kinds.reserve(static_cast<std::size_t>(coarse.width) * coarse.height);
     for (int y = 0; y < coarse.height; ++y)
         for (int x = 0; x < coarse.width; ++x)
             coarse.kinds.push_back(mostOf({fine.at(2 * x, 2 * y), fine.at(2 * x + 1, 2 * y),
@@ -51,6 +53,7 @@ CoverLevel halved(const CoverLevel& fine)
 osg::ref_ptr<osg::Image> coverImage(const core::CoverMap& map)
 {
     std::vector<CoverLevel> levels{{map.width, map.height, {}}};
+    levels[0].kinds.reserve(map.kinds.size());
     for (const core::GroundKind kind : map.kinds)
         levels[0].kinds.push_back(static_cast<unsigned char>(kind));
     while (levels.back().width > 1 || levels.back().height > 1)

@@ -160,22 +160,28 @@ std::uint64_t markOfTile(const RoamTile& tile)
                               origin.longitudeDeg,
                               origin.heightM,
                               static_cast<double>(tile.regions.spheres().size())};
-    std::vector<SampleTable::Sample> samples;
-    const auto add = [&](const SampleTable& table)
-    {
-        samples.reserve(samples.size() + table.size());
-        for (std::size_t i = 0; i < table.size(); ++i)
-            samples.push_back(table.sample(i));
-    };
-    add(tile.tile.samples().table());
-    for (const SampleSheet& sheet : tile.tile.samples().sheets())
-        add(sheet.table());
     const auto bytes = [](const auto& values)
     {
         return std::string_view(reinterpret_cast<const char*>(values.data()),
                                 values.size() * sizeof(values.front()));
     };
-    return markOf(bytes(samples), markOf(bytes(facts)));
+    std::uint64_t mark = markOf(bytes(facts));
+    constexpr std::size_t kAtOnce = 4096; // whole words of markOf()
+    std::vector<SampleTable::Sample> samples;
+    const auto add = [&](const SampleTable& table)
+    {
+        for (std::size_t i = 0; i < table.size(); ++i)
+        {
+            samples.push_back(table.sample(i));
+            if (samples.size() < kAtOnce) continue;
+            mark = markOf(bytes(samples), mark);
+            samples.clear();
+        }
+    };
+    add(tile.tile.samples().table());
+    for (const SampleSheet& sheet : tile.tile.samples().sheets())
+        add(sheet.table());
+    return markOf(bytes(samples), mark);
 }
 
 } // namespace osgTerrainROAM::core

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -20,7 +21,8 @@ Sphere fitted(const SampleRaster& tile, const GridTriangle& triangle)
 {
     glm::dvec3 lowest(std::numeric_limits<double>::max()), highest(std::numeric_limits<double>::lowest());
     Sphere sphere{glm::dvec3(0.0), 0.0, std::numeric_limits<double>::lowest()};
-    std::vector<glm::dvec3> positions;
+    static thread_local std::vector<glm::dvec3> positions; // its memory is kept
+    positions.clear();
     triangle.forEachRow(tile.side(), tile.side(),
                         [&](int row, int west, int east)
                         {
@@ -35,8 +37,13 @@ Sphere fitted(const SampleRaster& tile, const GridTriangle& triangle)
                             }
                         });
     sphere.centre = (lowest + highest) * 0.5;
+    double farthest = 0.0; // squared
     for (const glm::dvec3& position : positions)
-        sphere.radiusM = std::max(sphere.radiusM, glm::distance(sphere.centre, position));
+    {
+        const glm::dvec3 way = position - sphere.centre;
+        farthest = std::max(farthest, glm::dot(way, way));
+    }
+    sphere.radiusM = std::sqrt(farthest);
     return sphere;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,10 +32,15 @@ foundation::ContentMark markOf(const PlacedTile& tile)
                                  origin.longitudeDeg, origin.heightM, table.heightQuantumM()});
     if (const auto& net = tile.field().net)
         mark.addWord(static_cast<std::uint64_t>(net->step)).add(net->nodes);
-    std::vector<float> heightsM(table.size());
-    for (std::size_t i = 0; i < heightsM.size(); ++i)
-        heightsM[i] = table.heightM(i);
-    mark.add(heightsM);
+    constexpr std::size_t kAtOnce = 4096;
+    std::vector<float> heightsM;
+    for (std::size_t first = 0; first < table.size(); first += kAtOnce)
+    {
+        heightsM.resize(std::min(kAtOnce, table.size() - first));
+        for (std::size_t i = 0; i < heightsM.size(); ++i)
+            heightsM[i] = table.heightM(first + i);
+        mark.add(heightsM);
+    }
     const SampleRaster raster(tile);
     std::vector<std::uint8_t> isThere;
     for (int row = 0; row < raster.dataRows() && tile.samples().hasHoles(); ++row)
@@ -94,7 +100,8 @@ std::string RoamTile::boundBytes() const
     for (const std::uint64_t key : keys)
         beyond.push_back(_beyond.at(key));
     std::string bytes;
-    foundation::appendValues(bytes, bounds);
+    foundation::appendText(bytes,
+                           {reinterpret_cast<const char*>(bounds.data()), bounds.size() * sizeof(Bound)});
     foundation::appendValues(bytes, keys);
     foundation::appendValues(bytes, beyond);
     return bytes;
@@ -104,10 +111,18 @@ std::string RoamTile::boundBytes() const
 bool RoamTile::takeBounds(std::string_view bytes)
 {
     foundation::ValueTaker taker(bytes);
-    std::vector<Bound> bounds, beyond;
+    std::string_view bounds; // read where they lie: they are many
+    std::vector<Bound> beyond;
     std::vector<std::uint64_t> keys;
     if (!taker.take(bounds) || !taker.take(keys) || !taker.take(beyond) || !taker.isEmpty()) return false;
-    if (bounds.size() != tile.samples().table().size() || keys.size() != beyond.size()) return false;
+    const std::size_t count = tile.samples().table().size();
+    if (bounds.size() != count * sizeof(Bound) || keys.size() != beyond.size()) return false;
+    const auto boundAt = [&](std::size_t i)
+    {
+        Bound bound;
+        std::memcpy(&bound, bounds.data() + i * sizeof bound, sizeof bound);
+        return bound;
+    };
     const auto isBound = [](const Bound& bound) { return bound.errorM >= 0.0f && bound.radiusM >= 0.0f; };
     const auto isBeyond = [&](std::uint64_t key)
     {
@@ -115,15 +130,19 @@ bool RoamTile::takeBounds(std::string_view bytes)
         return v.column >= 0 && v.row >= 0 && v.column < tile.grid().side() && v.row < tile.grid().side() &&
                !tile.grid().isInData(v.column, v.row);
     };
-    if (!std::all_of(bounds.begin(), bounds.end(), isBound) ||
-        !std::all_of(beyond.begin(), beyond.end(), isBound) ||
+    for (std::size_t n = 0; n < count; ++n)
+        if (!isBound(boundAt(n))) return false;
+    if (!std::all_of(beyond.begin(), beyond.end(), isBound) ||
         !std::all_of(keys.begin(), keys.end(), isBeyond))
         return false;
     const int step = tile.grid().cellSide();
     std::size_t i = 0;
     for (int row = 0; row < tile.grid().dataRows(); row += step)
         for (int column = 0; column < tile.grid().dataColumns(); column += step, ++i)
-            tile.samples().setBound(column, row, bounds[i].errorM, bounds[i].radiusM);
+        {
+            const Bound bound = boundAt(i);
+            tile.samples().setBound(column, row, bound.errorM, bound.radiusM);
+        }
     for (std::size_t k = 0; k < keys.size(); ++k)
         _beyond[keys[k]] = beyond[k];
     return true;
