@@ -88,6 +88,7 @@ Field::Field(std::vector<FieldModel> models, std::vector<FieldObject> objects)
         const std::uint32_t coarsest = model.table->coarsestWith(model.selection.leastFaces);
         _allowedRungs.push_back(rungs.first(drawableRowOf(rungs, coarsest) + 1));
     }
+    _spheres.reserve(_objects.size());
     for (const FieldObject& object : _objects)
         _spheres.push_back(placed(_models[object.model], object));
     _numbers.resize(_objects.size());
@@ -99,6 +100,7 @@ void Field::sortIntoCells()
 {
     const Grid grid(_spheres, kObjectsPerCell);
     std::vector<std::uint64_t> cellOf;
+    cellOf.reserve(_spheres.size());
     for (const BoundingSphere& sphere : _spheres)
         cellOf.push_back(grid.cellOf(sphere));
     std::stable_sort(_numbers.begin(), _numbers.end(),
