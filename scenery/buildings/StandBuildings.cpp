@@ -75,6 +75,7 @@ std::optional<GroundSpan> stand(StandingBuilding& standing, const foundation::He
 struct StandingParts
 {
     std::vector<std::size_t> of; ///< their places among the buildings
+    std::vector<double> highM;   ///< the highest ground below each
     GroundSpan span{1e300, -1e300};
 };
 
@@ -91,8 +92,14 @@ void shareFloor(const StandingParts& parts, std::vector<StandingBuilding>& build
     const std::size_t lead = *std::max_element(
         parts.of.begin(), parts.of.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
     const double floorM = floorOf(buildings[lead], parts.span, isByStreet);
-    for (const std::size_t i : parts.of)
-        buildings[i].floorM = floorM;
+    for (std::size_t k = 0; k < parts.of.size(); ++k)
+    {
+        StandingBuilding& part = buildings[parts.of[k]];
+        part.floorM = floorM;
+        double& liftedM = part.building.liftedM;
+        const double wantedM = parts.highM[k] + kPassedM - floorM;
+        if (liftedM >= kPassedM && wantedM > liftedM && wantedM < part.building.eavesM) liftedM = wantedM;
+    }
 }
 
 } // namespace
@@ -147,6 +154,7 @@ StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes,
         {
             StandingParts& parts = wholes[whole->second];
             parts.of.push_back(standing.buildings.size());
+            parts.highM.push_back(span->highM);
             parts.span = {std::min(parts.span.lowM, span->lowM), std::max(parts.span.highM, span->highM)};
         }
         standing.buildings.push_back(std::move(placed));

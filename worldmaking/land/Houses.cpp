@@ -81,13 +81,14 @@ public:
     void take(const LandShape& shape, std::int64_t wholeId, std::vector<House>& houses)
     {
         const std::size_t before = houses.size();
-        takeShape(shape, houses);
+        const bool isParted = takeShape(shape, houses);
         for (std::size_t i = before; i < houses.size(); ++i)
-            houses[i].whole = wholeId;
+            houses[i].whole = wholeId == 0 && isParted ? shape.id : wholeId;
     }
 
 private:
-    void takeShape(const LandShape& shape, std::vector<House>& houses)
+    /// Returns whether it has become several houses, beside a passage and over it.
+    bool takeShape(const LandShape& shape, std::vector<House>& houses)
     {
         ++_report.read;
         const auto rings = shape.form == ShapeForm::area ? _plane.toPlan(shape.paths) : std::nullopt;
@@ -96,7 +97,7 @@ private:
         if (!whole)
         {
             if (auto house = takeWhole(shape)) houses.push_back(*std::move(house));
-            return;
+            return false;
         }
         ++_report.passages;
         const double heightM = whole->eavesM + whole->roofM;
@@ -106,10 +107,11 @@ private:
         part.tags.erase("roof:height");
         for (const PlanRings& beside : parts->beside)
             takePart(part, beside, *whole, houses);
-        if (heightM < kLeastPassedM) return;
+        if (heightM < kLeastPassedM) return true;
         part.tags.insert_or_assign("min_height", std::to_string(kPassageM));
         for (const PlanRings& over : parts->over)
             takePart(part, over, *whole, houses);
+        return true;
     }
 
     /// Takes a part of a house, in the colours of the whole.

@@ -51,7 +51,7 @@ struct HouseRoom
 /// Takes the buildings and their parts (keys `building`, `building:part`: HouseParts.h) and towers of a map
 /// that can stand: none within kHouseRoomM of a lane, none on a runway, none over another but of one
 /// building, none in water. Larger ones come first where two overlap. A house with a passage (Passages.h)
-/// becomes the parts beside the street, and one over it from kPassageM up.
+/// becomes the parts beside the street, and one over it from kPassageM up; they are parts of one building.
 /// Sources: as scenery::buildingOf().
 std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const HouseRoom& room,
                             HouseReport& report);

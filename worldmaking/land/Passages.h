@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "scenery/buildings/StandBuildings.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
 #include "worldmaking/plan/PlanGrid.h"
@@ -38,7 +39,8 @@ private:
     PlanGrid _grid;
 };
 
-inline constexpr double kPassageM = 4.5; ///< free height; houses lower than kLeastPassedM leave a gap
+inline constexpr double kPassageM =
+    scenery::kPassedM; ///< free height; houses lower than kLeastPassedM leave a gap
 inline constexpr double kLeastPassedM = 6.0;
 
 } // namespace worldmaking

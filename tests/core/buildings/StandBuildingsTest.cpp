@@ -91,6 +91,23 @@ ShapeSet threeParts(const std::string& ofTower)
     return set;
 }
 
+TEST(StandBuildings, APartOverAPassageSharesTheFloorAndLeavesRoomForCars)
+{
+    // The street in the middle lies 1.5 m above the floor of the larger part.
+    const auto ground = [](const glm::dvec2& plan)
+    { return std::optional(plan.x > 11.9 && plan.x < 15.1 ? 102.5 : 100.0); };
+    ShapeSet set = threeParts("9");
+    for (const auto& [low, liftedM] : {std::pair("5", 0.0), std::pair("4", 4.0), std::pair("8", 8.0)})
+    {
+        set.shapes[1].tags["min_height"] = low;
+        const StandingBuildings made = standBuildings(set, ground);
+        ASSERT_EQ(made.buildings.size(), 3u);
+        EXPECT_EQ(made.buildings[1].floorM, made.buildings[0].floorM);
+        const double wantedM = liftedM > 0.0 ? liftedM : 102.5 + kPassedM - made.buildings[0].floorM;
+        EXPECT_NEAR(made.buildings[1].building.liftedM, wantedM, 1e-9) << low;
+    }
+}
+
 TEST(StandBuildings, PartsOfOneBuildingShareTheFloorOfTheLargestOnTheGround)
 {
     const auto slope = [](const glm::dvec2& plan) { return std::optional(100.0 + 0.15 * plan.x); };

@@ -210,6 +210,7 @@ struct Passage
 {
     std::size_t beside = 0, over = 0, passages = 0;
     double overM2 = 0.0;
+    bool areOne = false; ///< building
 
     Passage(const char* key, const char* value, const char* heightM)
     {
@@ -225,6 +226,9 @@ struct Passage
         village.map.way({first, e, f, g, first}, {{"building", "yes"}, {"height", heightM}});
         const Built built(village);
         passages = built.report.passages;
+        areOne = !built.houses.empty();
+        for (const House& house : built.houses)
+            areOne = areOne && house.whole != 0 && house.whole == built.houses.front().whole;
         for (const House& house : built.houses)
             if (house.building.liftedM > 0.0)
             {
@@ -243,6 +247,7 @@ TEST(Houses, AStreetRunsThroughAHouseWithAPassage)
     EXPECT_EQ(passage.passages, 1u);
     EXPECT_EQ(passage.beside, 2u);
     EXPECT_EQ(passage.over, 1u);
+    EXPECT_TRUE(passage.areOne) << "with one floor";
     EXPECT_NEAR(passage.overM2, 12.0 * 6.5, 6.0); // two lanes of 2.75 m, half a metre beside each
     const Passage covered("covered", "yes", "9");
     EXPECT_EQ(covered.over, 1u);
@@ -251,6 +256,7 @@ TEST(Houses, AStreetRunsThroughAHouseWithAPassage)
     EXPECT_EQ(low.over, 0u);
     const Passage none("lit", "yes", "12"); // cut back as before
     EXPECT_EQ(none.passages, 0u);
+    EXPECT_FALSE(none.areOne);
     EXPECT_EQ(none.over, 0u);
 }
 
