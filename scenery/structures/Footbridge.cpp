@@ -31,7 +31,7 @@ public:
                 to(_bridge.line[i + 1], _bridge.heightsM[i + 1]);
             const double lengthM = glm::distance(_bridge.line[i], _bridge.line[i + 1]);
             if (lengthM < 1e-3) continue;
-            addDeck(from, to);
+            if (_bridge.treads == 0) addDeck(from, to);
             for (const double side : {1.0, -1.0})
                 addRailing(i, from, to, side, postM);
             postM = std::fmod(postM - lengthM, kFootPostM);
@@ -41,9 +41,39 @@ public:
                     addPier(glm::mix(from, to, (pierM - alongM) / lengthM), to - from);
             alongM += lengthM;
         }
+        if (_bridge.treads > 0) addStairs(alongM);
     }
 
 private:
+    /// Treads of one length in the plan, each as high as the way is at its lower end.
+    void addStairs(double lengthM)
+    {
+        std::size_t i = 0;
+        double startM = 0.0;
+        const auto placeAt = [&](double atM)
+        {
+            for (; i + 2 < _bridge.line.size(); ++i)
+            {
+                const double stretchM = glm::distance(_bridge.line[i], _bridge.line[i + 1]);
+                if (atM <= startM + stretchM) break;
+                startM += stretchM;
+            }
+            const double stretchM = std::max(1e-6, glm::distance(_bridge.line[i], _bridge.line[i + 1]));
+            const double share = std::clamp((atM - startM) / stretchM, 0.0, 1.0);
+            return glm::dvec3(glm::mix(_bridge.line[i], _bridge.line[i + 1], share),
+                              std::lerp(_bridge.heightsM[i], _bridge.heightsM[i + 1], share));
+        };
+        glm::dvec3 from = placeAt(0.0);
+        for (int tread = 1; tread <= _bridge.treads; ++tread)
+        {
+            const glm::dvec3 to = placeAt(lengthM * tread / _bridge.treads);
+            const double levelM = std::min(from.z, to.z);
+            if (glm::distance(glm::dvec2(from), glm::dvec2(to)) > 1e-3)
+                addDeck({glm::dvec2(from), levelM}, {glm::dvec2(to), levelM});
+            from = to;
+        }
+    }
+
     double footM(const glm::dvec3& place) const
     {
         const double deckM = place.z - kFootDeckM;

@@ -43,6 +43,7 @@ struct Structure
     bool isPortalAtStart = false, isPortalAtEnd = false; ///< of a tube
     bool isOpenLeft = false, isOpenRight = false;        ///< of a tube: it goes on over the track beside
     std::vector<double> piersM;                          ///< where a footbridge stands on piers, along it
+    int treads = 0;                                      ///< of stairs, down along the line; 0: a ramp
     std::uint64_t id = 0;                                ///< chance that is the same in each run
 };
 
@@ -52,9 +53,9 @@ using StructureTags = std::map<std::string, std::string, std::less<>>;
 /// generator:source). Nothing: the tags name none, or the line is underground. The tag `heights` of worldtool
 /// gives the heights of a railway at its points, in the datum of the samples; with them, `portals` (start,
 /// end, both) and `tube` (left, right, both: open to that side) tell of a tunnel, `embedded` of rails in a
-/// street; and there are the kinds `footbridge`, with `piers`, and `footramp`. Heights of others: the tag, or
-/// customary ones: walls 1.2 m, city walls 6, fences 1.2, pylons 28 m below 200 kV and 48 above, poles 9.5,
-/// turbines 95 to the hub.
+/// street; and there are the kinds `footbridge`, with `piers`, and `footramp`, with `treads`. Heights of
+/// others: the tag, or customary ones: walls 1.2 m, city walls 6, fences 1.2, pylons 28 m below 200 kV and 48
+/// above, poles 9.5, turbines 95 to the hub.
 /// Sources: the OpenStreetMap wiki; Darley, *Transmission line engineering* (220 kV: 40 to 60 m, spans of 450
 /// to 550 m).
 std::optional<Structure> structureOf(std::vector<glm::dvec2> line, const StructureTags& tags,

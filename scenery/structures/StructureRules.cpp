@@ -123,6 +123,9 @@ bool setFootbridge(Structure& structure, const StructureTags& tags)
     structure.widthM = metresOf(tags, "width", 0.5, 20.0, 2.5);
     structure.heightsM = heightsOf(tagOf(tags, "heights"), structure.line.size());
     structure.piersM = numbersOf(tagOf(tags, "piers"));
+    constexpr double kMostTreads = 500.0;
+    const double treads = foundation::numberOfTag(tagOf(tags, "treads")).value_or(0.0);
+    if (treads >= 2.0 && treads <= kMostTreads) structure.treads = static_cast<int>(treads);
     return !structure.heightsM.empty();
 }
 

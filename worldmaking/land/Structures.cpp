@@ -107,6 +107,7 @@ public:
                       {"width", width},
                       {"heights", heightsText(bridge.heightsM)}};
             if (!bridge.piersM.empty()) tags["piers"] = heightsText(bridge.piersM);
+            if (bridge.treads > 1) tags["treads"] = std::to_string(bridge.treads);
             _lines.emplace_back(bridge.points, std::move(tags));
             _report.footbridges += bridge.isRamp ? 0 : 1;
         }
@@ -122,7 +123,7 @@ public:
             auto keys = kKeys;
             if (!_room.tracks.empty() || !_room.footbridges.empty()) keys.push_back("heights");
             if (!_room.tracks.empty()) keys.insert(keys.end(), {"portals", "tube", "embedded"});
-            if (!_room.footbridges.empty()) keys.push_back("piers");
+            if (!_room.footbridges.empty()) keys.insert(keys.end(), {"piers", "treads"});
             if (!things.empty()) made.beginLayer(name, form, keys);
             for (const auto& [path, tags] : things)
                 if (const auto degrees = _plane.toDegrees({path})) made.add(*degrees, tags);

@@ -38,6 +38,7 @@ constexpr std::array kTags = std::to_array<KnownTag>({
     {"junction", kRead},
     {"restriction", kAbout},
     {"sidewalk", kRead},
+    {"step_count", kAbout, TagValue::number},
     {"lit", kIgnored},
     {"traffic_calming", kIgnored},
     {"maxheight", kIgnored},

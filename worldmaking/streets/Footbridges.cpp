@@ -31,6 +31,9 @@ namespace
 constexpr double kFootStepM = 2.5;                           ///< between heights along a footbridge
 constexpr double kWalkersM = 2.5, kOverWaterM = 0.9;         ///< clear
 constexpr std::array<double, 4> kRamps{0.1, 0.2, 0.35, 0.6}; ///< the last ones are stairs
+constexpr double kStairGrade = 0.35;                         ///< as steep as this are stairs
+constexpr double kStairsFall = 0.5;                          ///< of a way that the map says is stairs
+constexpr double kTreadM = 0.17, kLowestTreadM = 0.1, kHighestTreadM = 0.25;
 constexpr double kMostRampM = 90.0, kStraightRampM = 25.0, kOnGroundM = 0.05;
 constexpr double kPierEveryM = 14.0, kPierSideM = 1.2;
 constexpr double kTrackSideM = 2.5;
@@ -51,6 +54,8 @@ struct FootLine
     std::vector<WayLevel> levels; ///< of the stretches
     std::int64_t way = 0;
     double widthM = 2.5;
+    bool isStairs = false;
+    double stepCount = 0.0; ///< as the map says; 0: it does not
 
     double lengthM() const
     {
@@ -144,6 +149,8 @@ public:
             line.levels.assign(line.points.size() - 1, levelOf(shape.tags));
             line.way = shape.id;
             line.widthM = footWidthOf(shape.tags);
+            line.isStairs = valueOf(shape.tags, "highway") == "steps";
+            line.stepCount = foundation::numberOfTag(valueOf(shape.tags, "step_count")).value_or(0.0);
             if (levelOf(shape.tags).place == StreetPlace::bridge)
                 bridges.push_back(std::move(line));
             else if (levelOf(shape.tags).place == StreetPlace::ground)
@@ -352,26 +359,36 @@ private:
         const PlaceKey& key = isEnd ? line.keys.back() : line.keys.front();
         if (_decks.contains(key)) return std::nullopt;
         const glm::dvec2 end = isEnd ? line.points.back() : line.points.front();
-        std::vector<std::vector<glm::dvec2>> courses;
+        std::vector<FootLine> courses;
         if (const auto found = _pathEnds.find(key); found != _pathEnds.end())
             for (const std::size_t path : found->second)
             {
-                courses.push_back(_paths[path].points);
-                if (_paths[path].keys.front() != key)
-                    std::reverse(courses.back().begin(), courses.back().end());
+                courses.push_back(_paths[path]);
+                if (_paths[path].keys.front() != key) courses.back().reverse();
             }
         if (courses.empty())
         {
             const std::size_t count = line.points.size();
             const glm::dvec2 before = isEnd ? line.points[count - 2] : line.points[1];
-            courses.push_back({end, end + kStraightRampM * glm::normalize(end - before)});
+            courses.emplace_back().points = {end, end + kStraightRampM * glm::normalize(end - before)};
         }
-        for (const auto& course : courses)
+        for (const FootLine& course : courses)
         {
             ramp.points.clear(), ramp.heightsM.clear();
-            if (leadDown(course, heightM, grade, ramp)) return ramp;
+            const double fall = course.isStairs ? std::max(grade, kStairsFall) : grade;
+            if (!leadDown(course.points, heightM, fall, ramp)) continue;
+            if (course.isStairs || grade >= kStairGrade)
+                ramp.treads = treadsOf(ramp.heightsM.front() - ramp.heightsM.back(), course.stepCount);
+            return ramp;
         }
         return std::nullopt;
+    }
+
+    static int treadsOf(double fallM, double stepCount)
+    {
+        const double riseM = stepCount >= 2.0 ? fallM / stepCount : 0.0;
+        const bool isGiven = riseM >= kLowestTreadM && riseM <= kHighestTreadM;
+        return static_cast<int>(isGiven ? stepCount : std::max(1.0, std::round(fallM / kTreadM)));
     }
 
     bool leadDown(const std::vector<glm::dvec2>& course, double heightM, double grade, Footbridge& ramp) const

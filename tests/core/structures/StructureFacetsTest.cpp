@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -213,6 +214,29 @@ TEST(Structures, AFootbridgeHasADeckRailingsAndPiersAndARampIsSolid)
     EXPECT_LT(span(*bridge, 10.0).first, 199.5) << "a pier";
     EXPECT_LT(span(*ramp, 0.0).first, 199.5);
     EXPECT_FALSE(structureOf({{0, 0}, {20, 0}}, {{"kind", "footbridge"}, {"heights", "205"}}, 1));
+}
+
+TEST(Structures, StairsHaveTreadsDownTheirWay)
+{
+    const auto heightsOf = [](const char* treads)
+    {
+        const auto made =
+            structureOf({{0, 0}, {3, 0}, {3, 3}},
+                        {{"kind", "footramp"}, {"heights", "202;201;200"}, {"treads", treads}}, 1);
+        std::set<int> levelsCm; ///< of level faces above the ground
+        std::size_t beyond = 0;
+        const auto level = [](const glm::dvec2&) { return std::optional(200.0); };
+        for (const auto& [number, square] : scenery::structureFacets({&*made, 1}, level, beyond))
+            for (std::size_t i = 0; i < square.low.positions.size(); ++i)
+                if (square.low.normals[i].z > 0.99F && square.low.positions[i].z + square.origin.z < 202.5)
+                    levelsCm.insert(
+                        static_cast<int>(std::lround(100.0 * (square.low.positions[i].z + square.origin.z))));
+        return levelsCm;
+    };
+    EXPECT_EQ(heightsOf("8"), (std::set<int>{20000, 20025, 20050, 20075, 20100, 20125, 20150, 20175}));
+    EXPECT_TRUE(heightsOf("0").empty()) << "a ramp";
+    EXPECT_TRUE(heightsOf("-8").empty());
+    EXPECT_TRUE(heightsOf("1e9").empty());
 }
 
 TEST(Structures, RailsInAStreetHaveNeitherBedNorSleepers)

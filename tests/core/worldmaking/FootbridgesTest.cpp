@@ -118,6 +118,27 @@ TEST(Footbridges, HaveStairsWhereThereIsLittleRoomAndSayWhereThereIsNone)
         << lacking.streets.report.notes[0];
 }
 
+TEST(Footbridges, HaveAsManyTreadsAsTheMapSaysOfStairs)
+{
+    const auto treadsOf = [](const TagList& path)
+    {
+        MadeMap map;
+        addMain(map);
+        addBridged(map, 0, 20, path, {{"highway", "footway"}, {"bridge", "yes"}});
+        const MadeCrossing made = crossingOf(map);
+        int treads = -1;
+        for (const Footbridge& ramp : made.streets.footbridges)
+            if (ramp.isRamp) treads = ramp.treads;
+        return treads;
+    };
+    EXPECT_EQ(treadsOf({{"highway", "steps"}, {"step_count", "32"}}), 32) << "3.4 m down, 11 cm each";
+    EXPECT_EQ(treadsOf({{"highway", "steps"}, {"step_count", "24"}}), 24);
+    for (const char* other : {"3", "400", "many", "-30"})
+        EXPECT_EQ(treadsOf({{"highway", "steps"}, {"step_count", other}}), 20) << other;
+    EXPECT_EQ(treadsOf({{"highway", "steps"}}), 20) << "17 cm each";
+    EXPECT_EQ(treadsOf({{"highway", "footway"}, {"step_count", "32"}}), 0) << "a gentle ramp";
+}
+
 TEST(Footbridges, KeepClearOfRailsWiresWaterAndPathsAndStandOnPiersBesideThem)
 {
     MadeMap map;
