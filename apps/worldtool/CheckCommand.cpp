@@ -8,6 +8,7 @@
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
 #include "scenery/buildings/StandBuildings.h"
+#include "scenery/ground/TileGround.h"
 #include "scenery/roads/LayRoads.h"
 #include "scenery/roads/NearestStreet.h"
 #include "scenery/structures/HeightsInScene.h"
@@ -121,6 +122,8 @@ nlohmann::ordered_json rowOf(const worldmaking::WorldFaults& faults)
             {"closeCrossings", faults.closeCrossings},
             {"bareTunnels", faults.bareTunnels},
             {"brokenRails", faults.brokenRails},
+            {"steppedJunctions", faults.steppedJunctions},
+            {"steepJunctions", faults.steepJunctions},
             {"maxGradePercent", faults.maxGradePercent}};
 }
 
@@ -229,6 +232,32 @@ nlohmann::ordered_json crossingsOf(const worldmaking::WorldFaults& faults,
     return rows;
 }
 
+/// Where the surface of crossings is wrong. Units: metres, degrees.
+nlohmann::ordered_json junctionsOf(const worldmaking::WorldFaults& faults,
+                                   const osgRoads::core::PlacedNetwork& roads, const PlacedTile& tile)
+{
+    auto rows = nlohmann::ordered_json::array();
+    for (const auto& fault : faults.junctionFaults)
+    {
+        const auto& road = roads.road(fault.road);
+        const bool isStep = fault.flaw == worldmaking::JunctionFlaw::step;
+        nlohmann::ordered_json row{{"fault", isStep ? "step" : "steep"},
+                                   {"junction", road.junctionId},
+                                   {"road", road.id},
+                                   {"sM", fault.sM},
+                                   {isStep ? "byM" : "lean", fault.by}};
+        if (fault.other >= 0) row["other"] = roads.road(fault.other).id;
+        if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
+        {
+            const auto at = tile.frame().geodeticFromLocal(fault.place);
+            row["latitudeDeg"] = at.latitudeDeg;
+            row["longitudeDeg"] = at.longitudeDeg;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 } // namespace
 
 foundation::Result<Report> check(const std::filesystem::path& world)
@@ -241,11 +270,7 @@ foundation::Result<Report> check(const std::filesystem::path& world)
     const PlacedTile& tile = loaded->tile->tile;
     WorldThings things;
     things.roads = loaded->roads.placed.get();
-    things.groundM = [&](const glm::dvec2& place) -> std::optional<double>
-    {
-        const auto ground = osgTerrainROAM::core::groundAt(tile, place.x, place.y);
-        return ground ? std::optional(ground->position.z) : std::nullopt;
-    };
+    things.groundM = ground::groundOf(tile).heights();
     things.elevationM = [&](const glm::dvec2& place) -> std::optional<double>
     {
         const auto ground = osgTerrainROAM::core::groundAt(tile, place.x, place.y);
@@ -263,6 +288,7 @@ foundation::Result<Report> check(const std::filesystem::path& world)
     for (const std::string& line : faultLines(faults, things.roads, tile))
         std::cout << "fault: " << line << '\n';
     if (things.roads) report.json["roadFaults"] = placesOf(faults, *things.roads, tile);
+    if (things.roads) report.json["junctionFaults"] = junctionsOf(faults, *things.roads, tile);
     report.json["waterFaults"] = watersOf(faults, tile);
     report.json["crossingFaults"] = crossingsOf(faults, things.roads, tile);
     return report;

@@ -75,6 +75,19 @@ public:
         }
     }
 
+    void addJunction(const worldmaking::JunctionFault& fault)
+    {
+        if (fault.flaw == worldmaking::JunctionFlaw::step)
+            add(fault.place,
+                road(fault.road) + " lies " + number(fault.by, "%.2f m") + " off " + road(fault.other) +
+                    " where both cross",
+                "give both a node in common in the map, or one of them bridge=yes and a layer");
+        else
+            add(fault.place,
+                "the crossing of " + road(fault.road) + " leans by " + number(100.0 * fault.by, "%.0f %%"),
+                "give finer elevation data, or lead the steeper street in along the slope");
+    }
+
     void addRoad(const worldmaking::RoadFault& fault)
     {
         add(fault.place,
@@ -147,6 +160,9 @@ std::vector<std::string> faultLines(const worldmaking::WorldFaults& faults,
     for (const auto& fault : faults.crossingFaults)
         writer.addCrossing(fault);
     writer.close("faults of crossings");
+    for (const auto& fault : faults.junctionFaults)
+        writer.addJunction(fault);
+    writer.close("uneven junctions");
     for (const auto& fault : faults.roadFaults)
         writer.addRoad(fault);
     writer.close("roads that the ground leaves or covers");

@@ -257,6 +257,9 @@ WorldFaults checkWorld(const WorldThings& things)
         ++(fault.flaw == CrossingFlaw::tunnel    ? faults.bareTunnels
            : fault.flaw == CrossingFlaw::railEnd ? faults.brokenRails
                                                  : faults.closeCrossings);
+    if (things.roads) faults.junctionFaults = junctionFaults(*things.roads);
+    for (const JunctionFault& fault : faults.junctionFaults)
+        ++(fault.flaw == JunctionFlaw::step ? faults.steppedJunctions : faults.steepJunctions);
     if (!things.elevationM) return faults;
     for (const PlanRings& paving : things.runways)
     {

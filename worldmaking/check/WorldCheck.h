@@ -15,6 +15,7 @@
 
 #include "scenery/buildings/Building.h"
 #include "worldmaking/check/CrossingCheck.h"
+#include "worldmaking/check/JunctionCheck.h"
 #include "worldmaking/check/LevelCheck.h"
 #include "worldmaking/plan/RoadRoom.h"
 
@@ -69,16 +70,20 @@ struct WorldFaults
     std::size_t floating = 0;    ///< houses with walls that end above the ground or floors below all of it
     std::size_t floatingRoads = 0,
                 sunkRoads = 0; ///< roads that the ground leaves, or covers, somewhere off bridges and tunnels
-    std::size_t unevenRunways = 0;  ///< steep or bumpy (LevelCheck.h)
-    std::size_t unevenWaters = 0;   ///< steep, or higher than their shores
-    std::size_t closeCrossings = 0; ///< roads and railways that cross with too little room
-    std::size_t bareTunnels = 0;    ///< whose roof stands above the ground
-    std::size_t brokenRails = 0;    ///< that end at a road, or in a step
+    std::size_t unevenRunways = 0;    ///< steep or bumpy (LevelCheck.h)
+    std::size_t unevenWaters = 0;     ///< steep, or higher than their shores
+    std::size_t closeCrossings = 0;   ///< roads and railways that cross with too little room
+    std::size_t bareTunnels = 0;      ///< whose roof stands above the ground
+    std::size_t brokenRails = 0;      ///< that end at a road, or in a step
+    std::size_t steppedJunctions = 0; ///< connecting roads with another a step higher or lower
+    std::size_t steepJunctions = 0;   ///< connecting roads that lean too much
     double maxGradePercent = 0.0;
     std::vector<RoadFault> roadFaults;   ///< one for each floating or sunk road, in their order
     std::vector<WaterFault> waterFaults; ///< one for each uneven water
     std::vector<CrossingFault> crossingFaults;
+    std::vector<JunctionFault> junctionFaults;
 
+    /// Uneven junctions are told and not counted: no remedy in the map is known for most of them.
     std::size_t total() const
     {
         return onRoad + inWater + onRunway + overlapping + floating + floatingRoads + sunkRoads +

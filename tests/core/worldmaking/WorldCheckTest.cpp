@@ -2,6 +2,7 @@
 // A small world without faults, and each fault in turn.
 #include "worldmaking/check/WorldCheck.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -116,6 +117,55 @@ TEST(WorldCheck, SeesARoadThatTheGroundLeavesOrCovers)
     EXPECT_EQ(world.faults().floatingRoads, 1u);
     world.groundM = 500.3;
     EXPECT_EQ(world.faults().sunkRoads, 1u);
+}
+
+/// Four streets of 200 m that meet, on ground of a slope.
+osgRoads::core::RoadNetwork meetingStreets(double slope)
+{
+    MadeMap map;
+    const int middle = map.node(0, 0);
+    for (const auto& [eastM, northM] : {std::pair(200.0, 0.0), {-200.0, 0.0}, {0.0, 200.0}, {0.0, -200.0}})
+        map.way({middle, map.node(eastM, northM)});
+    return streetsOf(map, [&](double eastM, double) { return 500.0 + slope * eastM; }).network;
+}
+
+osgRoads::core::CubicProfile changed(const osgRoads::core::CubicProfile& profile, double times, double plusM)
+{
+    auto pieces = profile.pieces();
+    for (auto& piece : pieces)
+        piece.a = times * piece.a + plusM, piece.b *= times, piece.c *= times, piece.d *= times;
+    return osgRoads::core::CubicProfile(pieces);
+}
+
+std::vector<JunctionFault> faultsOfJunctions(osgRoads::core::RoadNetwork network)
+{
+    return junctionFaults(PlacedNetwork(std::make_shared<osgRoads::core::RoadNetwork>(std::move(network))));
+}
+
+TEST(JunctionCheck, SeesAStepAndALean)
+{
+    const osgRoads::core::RoadNetwork sound = meetingStreets(0.08);
+    EXPECT_TRUE(faultsOfJunctions(sound).empty());
+    osgRoads::core::RoadNetwork stepped = sound;
+    const auto turn = std::find_if(stepped.roads.begin(), stepped.roads.end(),
+                                   [](const auto& road) { return !road.junctionId.empty(); });
+    ASSERT_NE(turn, stepped.roads.end());
+    turn->elevation = changed(turn->elevation, 1.0, 0.2);
+    const auto faults = faultsOfJunctions(stepped);
+    ASSERT_FALSE(faults.empty());
+    for (const JunctionFault& fault : faults)
+    {
+        EXPECT_EQ(fault.flaw, JunctionFlaw::step);
+        EXPECT_NEAR(fault.by, 0.2, 0.05);
+        EXPECT_GE(fault.other, 0);
+    }
+    osgRoads::core::RoadNetwork steep = sound;
+    for (auto& road : steep.roads)
+        road.elevation = changed(road.elevation, 10.0, 0.0);
+    const auto leaning = faultsOfJunctions(steep);
+    EXPECT_TRUE(std::any_of(leaning.begin(), leaning.end(),
+                            [](const JunctionFault& fault)
+                            { return fault.flaw == JunctionFlaw::steep && fault.by > 0.5; }));
 }
 
 } // namespace
