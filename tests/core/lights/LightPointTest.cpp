@@ -56,8 +56,8 @@ LightPoint positionLamp(BeamKind kind)
 double towards(const LightPoint& lamp, double asideDeg, double upDeg)
 {
     const double a = glm::radians(asideDeg), u = glm::radians(upDeg);
-    return candelaTowards(lamp, 100.0 * glm::dvec3(std::cos(u) * std::cos(a), std::cos(u) * std::sin(a), std::sin(u)),
-                          0.0);
+    return candelaTowards(
+        lamp, 100.0 * glm::dvec3(std::cos(u) * std::cos(a), std::cos(u) * std::sin(a), std::sin(u)), 0.0);
 }
 
 /// How far the sectors of an aircraft's lamps are from 14 CFR 23.1391, as a share.
@@ -80,7 +80,8 @@ TEST(Allard, LampsAreSeenAsFarAsTheTableSays)
 {
     EXPECT_LT(worstRange(scenery::visibleRangeM), 0.03);
     // Without the air, and with the contrast of 37 % that others take for the visibility.
-    EXPECT_GT(worstRange([](double candela, double, double leastLx) { return std::sqrt(candela / leastLx); }), 1.0);
+    EXPECT_GT(worstRange([](double candela, double, double leastLx) { return std::sqrt(candela / leastLx); }),
+              1.0);
     EXPECT_GT(worstRange([](double candela, double visibilityM, double leastLx)
                          { return scenery::visibleRangeM(candela, 3.0 * visibilityM, leastLx); }),
               0.5);
@@ -106,7 +107,9 @@ TEST(Allard, TheEyesThresholdRisesWithTheBackgroundWithoutAJump)
     };
     EXPECT_LT(greatestStep(scenery::leastIlluminanceLx), 1.06);
     EXPECT_GT(greatestStep([](double background)
-                           { return background < 50.0 ? 8e-7 : background < 1000.0 ? 1e-5 : 1e-4; }),
+                           { return background < 50.0     ? 8e-7
+                                    : background < 1000.0 ? 1e-5
+                                                          : 1e-4; }),
               5.0)
         << "the table of classes as it stands";
 }
@@ -121,7 +124,8 @@ TEST(Allard, TheBackgroundFollowsTheSun)
         EXPECT_GT(now, scenery::backgroundCdM2(deg, 1.0));
         before = now;
     }
-    EXPECT_LT(scenery::backgroundCdM2(-6.0, 0.0), 6.85) << "at the end of civil twilight it is night to the eye";
+    EXPECT_LT(scenery::backgroundCdM2(-6.0, 0.0), 6.85)
+        << "at the end of civil twilight it is night to the eye";
     EXPECT_GT(scenery::backgroundCdM2(45.0, 0.0), 12000.0) << "a bright day";
 }
 
@@ -141,7 +145,8 @@ TEST(Beam, SectorsOfAnAircraftAreThoseOfTheRule)
     };
     for (const Band& band : {Band{2, .9}, {7, .8}, {12, .7}, {17, .5}, {25, .3}, {35, .1}, {60, .05}})
         for (const double side : {-1.0, 1.0})
-            EXPECT_NEAR(towards(left, 5.0, side * band.deg) / 40.0, band.share, 0.05 * band.share) << band.deg;
+            EXPECT_NEAR(towards(left, 5.0, side * band.deg) / 40.0, band.share, 0.05 * band.share)
+                << band.deg;
 }
 
 TEST(Beam, OverlapsStayBelowTheirLimits)
@@ -205,7 +210,8 @@ TEST(LightSteps, AnInstructorSetsThemByName)
     EXPECT_EQ(levels[static_cast<std::size_t>(LightGroup::approach)], 1.0F);
     EXPECT_EQ(levels[static_cast<std::size_t>(LightGroup::papi)], 0.1F);
     EXPECT_EQ(levels[static_cast<std::size_t>(LightGroup::street)], 0.0F);
-    for (const char* wrong : {"approach", "approach=6", "approach=55", "aproach=3", "steady=3", "=3", "papi=-1"})
+    for (const char* wrong :
+         {"approach", "approach=6", "approach=55", "aproach=3", "steady=3", "=3", "papi=-1"})
         EXPECT_FALSE(scenery::lightStepsOf(wrong)) << wrong;
 }
 

@@ -25,8 +25,8 @@ RunwayPlan runway(double lengthM, double widthM = 45.0, bool isPaved = true)
 
 std::size_t countOf(const std::vector<LightPoint>& lights, LightGroup group)
 {
-    return static_cast<std::size_t>(std::count_if(lights.begin(), lights.end(), [&](const LightPoint& light)
-                                                  { return light.group == group; }));
+    return static_cast<std::size_t>(std::count_if(
+        lights.begin(), lights.end(), [&](const LightPoint& light) { return light.group == group; }));
 }
 
 /// The candela of a group towards an eye.
@@ -49,7 +49,8 @@ TEST(RunwayLights, AreThoseOfItsClass)
     EXPECT_EQ(classOf(runway(3000.0, 30.0)), RunwayClass::precision);
     EXPECT_EQ(classOf(runway(3000.0)), RunwayClass::precisionTwo);
     const auto visual = runwayLights(runway(900.0), kLevel), simple = runwayLights(runway(1500.0), kLevel),
-               precise = runwayLights(runway(3000.0, 30.0), kLevel), two = runwayLights(runway(3000.0), kLevel);
+               precise = runwayLights(runway(3000.0, 30.0), kLevel),
+               two = runwayLights(runway(3000.0), kLevel);
     EXPECT_EQ(countOf(visual, LightGroup::approach), 0u);
     EXPECT_EQ(countOf(simple, LightGroup::approach), 2u * (7 * 3 + 11));
     EXPECT_EQ(countOf(precise, LightGroup::approach), 2u * (30 * 5 + 13 + 20));

@@ -92,7 +92,8 @@ TEST(SettlementLights, ByDayNothingShines)
     const auto [room, litS] = roomLitInTheEvening();
     village.panes.push_back({{20.0, 2.0, 1.0}, {20.0, 0.8, 1.0}, 1.3, scenery::RoomUse::dwelling, room});
     Village posts = oneLamp();
-    EXPECT_TRUE(isSame(*pictureOf(village, kBesideLamp, kDay, litS), *pictureOf(posts, kBesideLamp, kDay, litS)));
+    EXPECT_TRUE(
+        isSame(*pictureOf(village, kBesideLamp, kDay, litS), *pictureOf(posts, kBesideLamp, kDay, litS)));
     EXPECT_FALSE(
         isSame(*pictureOf(village, kBesideLamp, kNight, litS), *pictureOf(posts, kBesideLamp, kNight, litS)));
 }
