@@ -125,7 +125,7 @@ TEST(CompareVerdicts, TurnsTheVerdictOfAClaimByAPlantedFigure)
     slow.reworks[1].adaptUsP50 = 5.0; // enhMerge
     DemComparison idle = good, calm = good, lazy = good;
     idle.reworks[0].adaptUsP50 = 5.0; // wheel
-    for (const std::size_t method : {1, 4, 5})
+    for (const std::size_t method : {1, 4, 5, 6, 7})
         calm.methods[method].fit->changePercent = 40.0;
     calm.methods[0].fit->sizePercent = 40.0;
     lazy.methods[3].morph->vertices = lazy.methods[3].lightDeg = 0.5;
@@ -134,13 +134,13 @@ TEST(CompareVerdicts, TurnsTheVerdictOfAClaimByAPlantedFigure)
     EXPECT_EQ(verdict(1, restless), "refuted");
     EXPECT_EQ(verdict(2, lean), "refuted");
     lean.methods[5].triangles = 1600.0;
-    EXPECT_EQ(verdict(10, lean), "refuted");
+    EXPECT_EQ(verdict(12, lean), "refuted");
     for (const std::size_t claim : {3, 4, 5})
         EXPECT_EQ(verdict(claim, slow), "refuted") << claim;
     EXPECT_EQ(verdict(6, idle), "refuted");
-    for (const std::size_t claim : {7, 8, 9, 11})
+    for (const std::size_t claim : {7, 8, 9, 10, 11, 13})
         EXPECT_EQ(verdict(claim, calm), "refuted") << claim;
-    for (const std::size_t claim : {12, 13})
+    for (const std::size_t claim : {14, 15})
         EXPECT_EQ(verdict(claim, lazy), "refuted") << claim;
     DemComparison less = good;
     less.methods.resize(1);

@@ -41,6 +41,9 @@ inline DemComparison goodFigures()
     blocks.name = "blocks";
     blocks.isOfBlocks = true;
     blocks.triangles = 1500.0;
+    MethodFigures walk = roam, queue = roam;
+    walk.name = "roam-walk";
+    queue.name = "roam-queue";
     MethodFigures decimated = blocks, vipm = blocks, overlapping = blocks;
     decimated.name = "regular-decimation";
     decimated.morph->vertices = 500.0;
@@ -48,7 +51,8 @@ inline DemComparison goodFigures()
     vipm.name = "vipm-locked";
     overlapping.name = "vipm-overlapping";
     overlapping.triangles = 1400.0;
-    DemComparison dem{"made up", {good, roam, blocks, decimated, vipm, overlapping}, {10.0, 50.0}, {}};
+    DemComparison dem{
+        "made up", {good, roam, blocks, decimated, vipm, overlapping, walk, queue}, {10.0, 50.0}, {}};
     for (const auto& [way, us] :
          {std::pair{"wheel", 1.0}, {"enhMerge", 2.0}, {"one by one", 3.0}, {"restart", 4.0}})
         dem.reworks.push_back({"jump", way, us, us, 10.0});

@@ -86,8 +86,8 @@ TEST(TerrainCompare, TakesTheGreatestToleranceOfThoseWithTheSameError)
 TEST(TerrainCompare, FindsPlausibleFigures)
 {
     const DemComparison& hills = overHills()[0];
-    ASSERT_EQ(hills.methods.size(), kMethods.size() + 3)
-        << "all methods, multi-triangulations, from scratch, with TINs in leaves";
+    ASSERT_EQ(hills.methods.size(), kMethods.size() + 5)
+        << "all methods, ROAM by walk and queue, multi-triangulations, from scratch, with TINs in leaves";
     for (const MethodFigures& m : hills.methods)
     {
         EXPECT_GT(m.triangles, 100.0) << m.name;
@@ -108,6 +108,13 @@ TEST(TerrainCompare, FindsPlausibleFigures)
     EXPECT_LT(vdpm.ceiling->trueErrorPx, roam.ceiling->trueErrorPx) << "at equal numbers of triangles";
     EXPECT_NEAR(scratch.triangles, roam.triangles, 1e-9) << "the same meshes";
     EXPECT_NEAR(scratch.popPx, roam.popPx, 1e-9);
+    for (const char* driver : {"roam-walk", "roam-queue"})
+    {
+        const MethodFigures& other = *hills.of(driver);
+        EXPECT_NEAR(other.triangles, roam.triangles, 1e-9) << driver << ": the same meshes";
+        EXPECT_NEAR(other.popPx, roam.popPx, 1e-9) << driver;
+        EXPECT_NEAR(other.changedPercent, roam.changedPercent, 1e-9) << driver;
+    }
     EXPECT_FALSE(scratch.ceiling || scratch.slices || scratch.transformsPerTriangle);
     EXPECT_GT(roam.slices->stops, 0u);
     EXPECT_LT(hills.of("multi-triangulation")->triangles, roam.triangles);
@@ -121,7 +128,7 @@ TEST(TerrainCompare, FindsPlausibleFigures)
                                            m.name != "tin-leaves")
             << m.name;
         EXPECT_GT(m.areaRatio, 1.0) << m.name;
-        EXPECT_EQ(m.regularPercent == 100.0, m.name == "roam" || m.name == "scratch") << m.name;
+        EXPECT_EQ(m.regularPercent == 100.0, m.name.starts_with("roam") || m.name == "scratch") << m.name;
     }
     EXPECT_LT(*roam.visiblePercent, 100.0);
 }

@@ -6,6 +6,7 @@
 #include <osgTerrainROAM/core/blocks/BlockGrid.h>
 #include <osgTerrainROAM/core/method/PrepareTerrain.h>
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
 #include "compare/terrain/drivers/Measured.h"
@@ -106,6 +107,18 @@ foundation::Result<Rival> prepareRival(const MethodTraits& traits,
     return rival;
 }
 
+/// ROAM by another driver than that which terrains are drawn with.
+Rival byDriver(Driver driver, const Rival& roam, const std::shared_ptr<const RoamTile>& tile)
+{
+    Rival rival = roam;
+    rival.name = "roam-" + std::string(driverName(driver));
+    rival.drawnBy.reset();
+    rival.prepared = nullptr;
+    rival.newMesh = [bounds = SplitBounds(tile), driver]
+    { return std::make_unique<MethodMesh>(std::make_unique<RoamMesh>(bounds, driver), true); };
+    return rival;
+}
+
 } // namespace
 
 foundation::Result<Rivals> prepareRivals(const HeightField& square)
@@ -119,6 +132,8 @@ foundation::Result<Rivals> prepareRivals(const HeightField& square)
         if (!rival) return rival.error();
         rivals.all.push_back(std::move(*rival));
     }
+    for (const Driver driver : {Driver::walk, Driver::queue})
+        rivals.all.push_back(byDriver(driver, rivals.all.front(), rivals.tile));
     const double forestBegin = processorS();
     rivals.all.push_back(multiTriangulationRival(rivals.tile));
     rivals.all.back().preparationS = processorS() - forestBegin;
