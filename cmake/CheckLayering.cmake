@@ -26,6 +26,7 @@ layer(objects-core   "^osgPMObjects/(include/osgPMObjects|src)/core/"     founda
 layer(terrain-core   "^osgTerrainROAM/(include/osgTerrainROAM|src)/core/" foundation viewlod objects-core mt-core)
 layer(roads-core     "^osgRoads/(include/osgRoads|src)/core/" foundation viewlod)
 layer(mt-core        "^osgMultiTriangulation/(include/osgMultiTriangulation|src)/core/" foundation viewlod objects-core)
+layer(clouds         "^scenery/clouds/"    foundation simulation)
 layer(contact        "^simulation/contact/" foundation)
 layer(simulation     "^simulation/"        foundation viewlod roads-core contact)
 layer(models         "^scenery/models/"    foundation objects-core contact)
@@ -49,8 +50,8 @@ layer(mt             "^osgMultiTriangulation/" graphics foundation viewlod objec
 layer(roads          "^osgRoads/"          graphics foundation viewlod roads-core traversal)
 layer(offscreen      "^osgOffscreen/"      graphics foundation viewlod)
 layer(nodes          "^scenery/nodes/"     graphics foundation viewlod objects-core terrain-core roads-core simulation models placement lights
-    traversal objects sky terrain roads road-things buildings)
-set(cores foundation viewlod objects-core terrain-core roads-core mt-core simulation models placement lights buildings scene-roads road-things worldmaking measurement contact)
+    traversal objects sky terrain roads road-things buildings clouds)
+set(cores foundation viewlod objects-core terrain-core roads-core mt-core simulation models placement lights buildings scene-roads road-things worldmaking measurement contact clouds)
 set(libraries graphics ${cores} traversal objects sky terrain mt roads offscreen nodes measurement-view)
 layer(trainer-input "^apps/trainer/input/" foundation simulation)
 layer(session-core   "^osgSession/(include/osgSession|src)/core/" foundation viewlod roads-core contact simulation)
