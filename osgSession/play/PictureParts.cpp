@@ -62,6 +62,7 @@ void PictureParts::addParts(PlayScene& scene)
     _parts.push_back({"", [](bool) {}});
     if (drawn->sunlit().isShown())
         _parts.push_back({"shadows", [drawn](bool isShown) { drawn->setShadows(isShown); }});
+    _parts.push_back({"clouds", [drawn](bool isShown) { drawn->showClouds(isShown); }});
     if (scene.scenery)
         _parts.push_back(
             {"scenery", [root = scene.scenery->node.root](bool isShown) { setShown(root, isShown); }});

@@ -131,6 +131,9 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     if (terrain.terrain)
         if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
     if (terrain.roads) setRoadTolerance(*terrain.node, request.terrain.errorTolerancePx);
+    if (request.weather)
+        scenario.storyboard.init.globals.push_back(simulation::EnvironmentAction{
+            {}, simulation::Environment{{}, "weather", {}, request.weather, {}, {}}});
     PlayScene play;
     play.terrain = std::move(terrain);
     play.watched = *watched;
@@ -156,6 +159,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     play.scene->bearLamps(play.watched);
     play.scene->setShadows(request.frames.hasShadows);
     play.scene->setLightSteps(request.frames.lightSteps);
+    if (request.clouds) play.scene->setClouds(*request.clouds);
     request.terrain.opening->end("entities");
     if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
     play.cover = makeCover(play.terrain);

@@ -18,7 +18,9 @@
 #include <osgOffscreen/Backend>
 
 #include "scenery/lights/LightSteps.h"
+#include "simulation/environment/CloudLayer.h"
 #include "simulation/road/WithoutRoads.h"
+#include "simulation/scenario/Environment.h"
 #include "view/HudUnits.h"
 #include "view/OpeningClock.h"
 #include "view/Quality.h"
@@ -189,6 +191,9 @@ struct PlayRequest
     OutputRequest output;
     WindowRequest window{};
     SoundRequest sound{};
+    std::optional<std::vector<simulation::CloudLayer>>
+        clouds{};                                 ///< in place of the scenario's and the world's
+    std::optional<simulation::Weather> weather{}; ///< holds from the begin on, after the scenario's
 
     /// What moves entities in place of their actions. The play ends when all their controllers have done what
     /// they were told.

@@ -7,12 +7,13 @@
 namespace trainer
 {
 
-/// The conditions of a ride over a scene: its world's sun and visibility stay where hour and weather leave
-/// them.
+/// The conditions of a ride over a scene: its world's sun, visibility and clouds stay where hour and weather
+/// leave them.
 inline simulation::RideConditions inAirOf(const SceneTerrain& scene, simulation::RideConditions conditions)
 {
     conditions.keepsSun = scene.air.sun.has_value();
     conditions.keepsVisibility = scene.air.visibilityM.has_value();
+    conditions.keepsClouds = scene.clouds.has_value();
     return conditions;
 }
 

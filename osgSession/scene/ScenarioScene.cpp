@@ -34,17 +34,23 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     ScenarioScene scene;
     if (terrain.terrain) terrain.terrain->setAtmosphere(scene._atmosphere);
     scene._root->addChild(scenery::makeSky());
+    scene._root->addChild(&scene._nightSky.node());
+    scene._root->addChild(&scene._clouds.node());
+    scene._clouds.shadeBy(*scene._root->getStateSet());
     scene._root->addChild(scene._sunlit);
     scene._root->addChild(&scene._drops.node());
     scene._sunlit->addChild(terrain.node);
     scene._roadThings = terrain.roadThings;
     scene._airfield = terrain.airfield;
     scene._settlements = terrain.settlements;
-    if (const auto origin = terrain.origin()) scene._longitudeDeg = origin->longitudeDeg;
     if (terrain.airfield)
         scene._root->getStateSet()->addUniform(new osg::Uniform("featureLampsElsewhere", 1.0F));
     scene._moonlight = terrain.moonlight;
     scene._ground = terrain.ground();
+    scene._worldClouds = terrain.clouds;
+    scene._place = terrain.origin().value_or(scene._place);
+    if (scene._ground)
+        if (const auto ground = scene._ground(0.0, 0.0)) scene._groundM = ground->heightM;
     scenery::EntityShapes shapes;
     for (const simulation::ScenarioObject& object : scenario.entities)
     {
@@ -74,6 +80,7 @@ void ScenarioScene::setQuality(const QualityRules& rules)
             state.removeDefine(other);
     if (rules.define) state.setDefine(rules.define);
     _sunlit->setSettings(rules.shadows);
+    _clouds.setDetail(rules.pixelsPerRay, rules.raySteps);
     constexpr double kWhole = 0.8; // of the reach: a vehicle's shadow is in the maps as a whole
     const auto maps = static_cast<std::size_t>(rules.shadows.movingMaps);
     _mapsReachM = maps > 0 ? kWhole * rules.shadows.reachesM[maps - 1] : 0.0;
@@ -133,7 +140,7 @@ void ScenarioScene::showLights(const simulation::EnvironmentState& environment,
     const scenery::LightLevels levels = scenery::levelsOf(_lightSteps, sunDeg, air.visibilityM);
     constexpr double kDegreeS = 240.0; // of longitude, in the sun's time
     const double dayS = std::fmod(1e-3 * static_cast<double>(environment.dateTime.unixMilliseconds) +
-                                      kDegreeS * _longitudeDeg,
+                                      kDegreeS * _place.longitudeDeg,
                                   scenery::kDayS);
     _lights.show(scenery::leastIlluminanceLx(scenery::backgroundCdM2(sunDeg, air.cloudCover)), timeS, dayS,
                  levels);
@@ -147,14 +154,53 @@ void ScenarioScene::showWeather(const simulation::EnvironmentState& environment,
     if (const auto& wind = environment.wind; wind && _airfield)
         _airfield->setWind(wind->speedMps *
                            glm::dvec2(std::cos(wind->directionRad), std::sin(wind->directionRad)));
-    osgSky::AtmosphereSettings air = airOf(environment);
-    air.moonlight = _moonlight.value_or(air.moonlight);
-    if (const auto set = _atmosphere->setSettings(air); !set)
-        osg::notify(osg::WARN) << set.error().message() << std::endl;
-    showLights(environment, air, timeS);
+    _air = airOf(environment);
+    const simulation::MoonSight moon =
+        simulation::moonSight(environment.dateTime, _place.latitudeDeg, _place.longitudeDeg);
+    _nightSky.show(simulation::worldFromStars(environment.dateTime, _place.latitudeDeg, _place.longitudeDeg),
+                   environment.sun.elevationDeg, moon);
+    _air.moonlight = _moonlight.value_or(simulation::moonlightOf(moon));
+    showClouds(environment, timeS);
+    breathe();
+    showLights(environment, _atmosphere->settings(), timeS);
     _roadWetness->set(roadWetnessOf(environment));
     const glm::dvec3 eye = _ridden ? entities[*_ridden].velocity : glm::dvec3(0.0);
     _drops.show(fallingOf(environment), timeS, windOf(environment), {eye.x, eye.y, eye.z});
+}
+
+void ScenarioScene::showClouds(const simulation::EnvironmentState& environment, double timeS)
+{
+    const auto told = cloudsOf(environment);
+    static const std::vector<simulation::CloudLayer> kNone;
+    _clouds.setLayers(_givenClouds   ? *_givenClouds
+                      : told         ? *told
+                      : _worldClouds ? *_worldClouds
+                                     : kNone,
+                      _groundM);
+    const osg::Vec3d wind = windOf(environment);
+    _clouds.show(_air.sunDirectionWorld, osgSky::atmosphereLight(_air).sun,
+                 {wind.x() * timeS, wind.y() * timeS});
+}
+
+/// Sets the air as it is below the clouds that hang above the eye.
+void ScenarioScene::breathe()
+{
+    osgSky::AtmosphereSettings air = _air;
+    air.cloudCover = greyUnder(_clouds.coverAbove(_eye ? _eye->z : _groundM));
+    if (const auto set = _atmosphere->setSettings(air); !set)
+        osg::notify(osg::WARN) << set.error().message() << std::endl;
+    _clouds.setShadowStrength(1.0 - air.cloudCover);
+}
+
+void ScenarioScene::follow(const glm::dvec3& eye)
+{
+    _eye = eye;
+    if (!_clouds.layers().empty()) breathe();
+}
+
+void ScenarioScene::showClouds(bool areShown)
+{
+    _clouds.node().setNodeMask(areShown && !_clouds.layers().empty() ? ~0U : 0U);
 }
 
 } // namespace trainer

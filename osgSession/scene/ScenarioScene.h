@@ -17,9 +17,11 @@
 #include "EntityModel.h"
 #include "SceneTerrain.h"
 #include "scenery/lights/LightSteps.h"
+#include "scenery/nodes/Clouds.h"
 #include "scenery/nodes/FallingDrops.h"
 #include "scenery/nodes/HeadLampBeam.h"
 #include "scenery/nodes/LightPoints.h"
+#include "scenery/nodes/NightSky.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/Quality.h"
 
@@ -57,7 +59,8 @@ public:
     void ride(const std::optional<std::size_t>& entity) { _ridden = entity; }
 
     /// The eye of the last picture: far from it entities cast patches on the ground, not into shadow maps.
-    void follow(const glm::dvec3& eye) { _eye = eye; }
+    /// What hangs above it is what makes its sky grey.
+    void follow(const glm::dvec3& eye);
 
     /// The head lamps of this entity light what is before it, in the dark.
     void bearLamps(std::size_t entity) { _lampBearer = entity; }
@@ -83,6 +86,12 @@ public:
     /// The uniforms of light and air, for what is drawn beside the scene.
     osg::StateSet* air() const { return _atmosphere->stateSet(); }
 
+    /// Clouds in place of those that the scenario tells.
+    void setClouds(const std::vector<simulation::CloudLayer>& layers) { _givenClouds = layers; }
+
+    /// Shows or hides them.
+    void showClouds(bool areShown);
+
     /// Hides an entity: the one whose camera is used; or shows it again.
     void hide(std::size_t entity, bool isHidden = true) { _entities[entity].hide(isHidden); }
 
@@ -97,27 +106,34 @@ private:
     ScenarioScene();
     void showBeam(const std::vector<simulation::EntityState>& entities, bool isDark);
     void showSignals(const std::map<std::string, std::string>& states);
+    void showClouds(const simulation::EnvironmentState& environment, double timeS);
+    void breathe();
     void showWeather(const simulation::EnvironmentState& environment, double timeS,
                      const std::vector<simulation::EntityState>& entities);
-    void showLights(const simulation::EnvironmentState& environment,
-                    const osgSky::AtmosphereSettings& air, double timeS);
+    void showLights(const simulation::EnvironmentState& environment, const osgSky::AtmosphereSettings& air,
+                    double timeS);
 
     osg::ref_ptr<osg::Group> _root;
     osg::ref_ptr<osgSky::Atmosphere> _atmosphere;
     osg::ref_ptr<osgSky::SunShadows> _sunlit;
     osg::ref_ptr<osg::Uniform> _roadWetness;
     scenery::FallingDrops _drops;
+    scenery::NightSky _nightSky;
+    scenery::Clouds _clouds;
+    simulation::Geodetic _place{45.0, 0.0, 0.0}; ///< whose stars are seen; tells the hour there
+    std::optional<std::vector<simulation::CloudLayer>> _givenClouds, _worldClouds;
+    osgSky::AtmosphereSettings _air; ///< without clouds
+    double _groundM = 0.0;           ///< at the origin
     std::optional<std::size_t> _ridden, _lampBearer;
     std::optional<glm::dvec3> _eye;
     double _mapsReachM = 0.0;         ///< of the shadow maps that show what moves
-    std::optional<double> _moonlight; ///< of the world; a scenario has none
+    std::optional<double> _moonlight; ///< of the world; absent: as the moon stands
     scenery::HeadLampBeam _beam;
     scenery::LightUniforms _lights;
     scenery::LightSteps _lightSteps{};
     std::shared_ptr<scenery::RoadThingsNode> _roadThings;    ///< null without roads
     std::shared_ptr<scenery::AirfieldNode> _airfield;        ///< null without any
     std::shared_ptr<scenery::SettlementLights> _settlements; ///< the same
-    double _longitudeDeg = 0.0;                              ///< of the scene's origin: tells the hour there
     std::map<std::string, std::string> _signals;             ///< states that are shown
     simulation::GroundProvider _ground;                      ///< onto which shadows fall
     std::vector<EntityModel> _entities;                      ///< in the order of Scenario::entities

@@ -115,8 +115,16 @@ foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file
     auto description = osgTerrainROAM::core::describeTerrain(file, request.import);
     if (!description) return description.error();
     description->showsVoids = description->showsVoids || request.showsVoids;
+    std::optional<std::vector<simulation::CloudLayer>> clouds;
+    if (!description->clouds.empty())
+    {
+        auto read = simulation::readCloudLayers(description->clouds, file.string() + ", clouds");
+        if (!read) return read.error();
+        clouds = *std::move(read);
+    }
     auto scene = makeTerrainWithRoads(*description, request);
     if (!scene) return scene;
+    scene->clouds = std::move(clouds);
     for (const std::string& note : scene->terrain->tile()->tile.field().notes)
         std::cout << "note: " << note << '\n';
     if (description->sunAzimuthDeg && description->sunElevationDeg)

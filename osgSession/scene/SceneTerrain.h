@@ -24,6 +24,7 @@
 #include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/nodes/SettlementLights.h"
 #include "scenery/placement/SkyOccluders.h"
+#include "simulation/environment/CloudLayer.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/state/EnvironmentState.h"
 
@@ -54,6 +55,7 @@ struct SceneTerrain
     std::vector<StandingPart> standing{};
     simulation::WorldAir air{};                                       ///< as the world file has it
     std::optional<double> moonlight{};                                ///< the same
+    std::optional<std::vector<simulation::CloudLayer>> clouds{};      ///< the same
     std::shared_ptr<scenery::AirfieldNode> airfield = nullptr;        ///< lights and windsocks; null: none
     std::shared_ptr<scenery::SettlementLights> settlements = nullptr; ///< lamps and windows; null: none
     osg::ref_ptr<osgMultiTriangulation::MtDrawable> triangulation =

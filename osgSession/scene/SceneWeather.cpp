@@ -11,17 +11,16 @@ namespace trainer
 namespace
 {
 
-/// Returns the cloud cover 0…1 of the cloud states of OpenSCENARIO 1.0 and of 1.2 (oktas).
-double cloudCover(const std::string& state, bool falls)
+/// Returns the eighths of the cloud states of OpenSCENARIO 1.0 and of 1.2; absent: the word is none of them.
+std::optional<int> oktasOf(const std::string& state)
 {
-    static const std::map<std::string, double> kCover{
-        {"free", 0.0},      {"cloudy", 0.6},      {"overcast", 1.0},  {"rainy", 1.0},
-        {"zeroOktas", 0.0}, {"oneOktas", 0.125},  {"twoOktas", 0.25}, {"threeOktas", 0.375},
-        {"fourOktas", 0.5}, {"fiveOktas", 0.625}, {"sixOktas", 0.75}, {"sevenOktas", 0.875},
-        {"eightOktas", 1.0}};
-    const auto found = kCover.find(state);
-    if (found != kCover.end()) return found->second;
-    return falls ? 1.0 : 0.0;
+    static const std::map<std::string, int> kOktas{
+        {"free", 0},     {"cloudy", 5},     {"overcast", 8},   {"rainy", 8},     {"zeroOktas", 0},
+        {"oneOktas", 1}, {"twoOktas", 2},   {"threeOktas", 3}, {"fourOktas", 4}, {"fiveOktas", 5},
+        {"sixOktas", 6}, {"sevenOktas", 7}, {"eightOktas", 8}};
+    const auto found = kOktas.find(state);
+    if (found != kOktas.end()) return found->second;
+    return std::nullopt;
 }
 
 } // namespace
@@ -44,8 +43,21 @@ osgSky::AtmosphereSettings airOf(const simulation::EnvironmentState& environment
         osgSky::sunDirectionFromAngles(environment.sun.azimuthDeg, environment.sun.elevationDeg);
     air.visibilityM = std::max(
         simulation::visibilityM(environment.fogVisualRangeM.value_or(air.visibilityM), falling), 1.0);
-    air.cloudCover = cloudCover(environment.cloudState, falling.perM3 > 0.0);
     return air;
+}
+
+std::optional<std::vector<simulation::CloudLayer>> cloudsOf(const simulation::EnvironmentState& environment)
+{
+    constexpr int kAll = 8;
+    const bool falls = fallingOf(environment).perM3 > 0.0;
+    const auto told = oktasOf(environment.cloudState);
+    if (!told && !falls) return std::nullopt;
+    return simulation::usualClouds(told.value_or(kAll), falls);
+}
+
+double greyUnder(double cover)
+{
+    return std::clamp(2.0 * cover - 1.0, 0.0, 1.0);
 }
 
 osg::Vec3d windOf(const simulation::EnvironmentState& environment)

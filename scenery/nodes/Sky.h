@@ -9,7 +9,7 @@ namespace scenery
 
 /// Makes the sky: one rectangle over the whole image, drawn behind everything else, coloured by direction
 /// with the function of the atmosphere. Distant terrain fades to the same function, so the horizon has no
-/// seam. Stars appear as the sun goes down; their size on the screen is constant and they do not twinkle.
+/// seam. Stars and moon are another node's (NightSky).
 /// Needs the uniforms of an Atmosphere above it in the graph. It follows every camera, off-axis ones too,
 /// does not affect near and far planes, and is never culled.
 osg::ref_ptr<osg::Node> makeSky();

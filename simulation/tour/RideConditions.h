@@ -22,7 +22,7 @@ struct RideConditions
     std::optional<double> solarHour;
     RideWeather weather = RideWeather::clear;
     /// those of the world, unless hour or weather say otherwise
-    bool keepsSun = false, keepsVisibility = false;
+    bool keepsSun = false, keepsVisibility = false, keepsClouds = false;
 };
 
 } // namespace simulation

@@ -34,17 +34,19 @@ void setFall(Environment& environment, const char* type, double mmPerHour, doubl
 
 } // namespace
 
-void leaveToWorld(Environment& environment, bool keepsSun, bool keepsVisibility)
+void leaveToWorld(Environment& environment, const KeptAir& kept)
 {
-    if (keepsSun) environment.timeOfDay.reset();
-    if (keepsSun && environment.weather) environment.weather->sun.reset();
-    if (keepsVisibility && environment.weather) environment.weather->fogVisualRangeM.reset();
+    if (kept.sun) environment.timeOfDay.reset();
+    if (!environment.weather) return;
+    if (kept.sun) environment.weather->sun.reset();
+    if (kept.visibility) environment.weather->fogVisualRangeM.reset();
+    if (kept.clouds) environment.weather->cloudState.clear();
 }
 
 Environment rideEnvironment(const TourTerrain& terrain, double headingRad, const RideConditions& conditions)
 {
     Environment environment = tourEnvironment(terrain, headingRad);
-    leaveToWorld(environment, conditions.keepsSun, conditions.keepsVisibility);
+    leaveToWorld(environment, {conditions.keepsSun, conditions.keepsVisibility, conditions.keepsClouds});
     if (conditions.solarHour) setHour(environment, terrain, *conditions.solarHour);
     switch (conditions.weather)
     {

@@ -8,8 +8,14 @@
 namespace simulation
 {
 
-/// Leaves sun and visibility out of an environment, so that those of the world stay.
-void leaveToWorld(Environment& environment, bool keepsSun, bool keepsVisibility);
+/// What of its air a world tells itself.
+struct KeptAir
+{
+    bool sun = false, visibility = false, clouds = false;
+};
+
+/// Leaves it out of an environment, so that the world's stays.
+void leaveToWorld(Environment& environment, const KeptAir& kept);
 
 /// Returns the environment of a ride that begins in a direction (counter-clockwise from east), for the
 /// terrain's place; without georeference for 45° N. Units: radians.

@@ -106,8 +106,9 @@ foundation::Result<SceneTour> layTourFor(const SceneTerrain& terrain, const Play
     if (!tour) return tour;
     for (simulation::GlobalAction& action : tour->tour.scenario.storyboard.init.globals)
         if (auto* const sky = std::get_if<simulation::EnvironmentAction>(&action))
-            simulation::leaveToWorld(sky->environment, terrain.air.sun.has_value(),
-                                     terrain.air.visibilityM.has_value());
+            simulation::leaveToWorld(sky->environment,
+                                     {terrain.air.sun.has_value(), terrain.air.visibilityM.has_value(),
+                                      terrain.clouds.has_value()});
     return tour;
 }
 

@@ -8,6 +8,7 @@
 
 #include "actions/OpeningProgress.h"
 #include "actions/PlayPlaces.h"
+#include "simulation/environment/Metar.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 
@@ -169,6 +170,13 @@ void PlayOptions::addFrameOptions(CLI::App& command)
                                                          {"medium", Quality::medium},
                                                          {"high", Quality::high},
                                                          {"reference", Quality::reference}}));
+    command.add_option("--clouds", _clouds,
+                       "layers of clouds, OKTAS KIND BASE TOP as in '4 cumulus 1200 2000', parted by ';', or "
+                       "none; instead of the scenario's and the world's");
+    command.add_option(
+        "--metar", _metar,
+        "a weather report, as in 'LOWI 241150Z 25012KT 9999 FEW040 SCT080 18/09 Q1018': its clouds, "
+        "visibility, rain or snow, and the wind that pictures show");
     command
         .add_option("--shadows", _shadows,
                     "on or off: shadows of the sun on everything (the usual), or below entities alone")
@@ -275,6 +283,19 @@ foundation::Outcome PlayOptions::complete()
     const auto steps = scenery::lightStepsOf(_lights);
     if (!steps) return foundation::Error{"--lights " + _lights, steps.error().what, steps.error().remedy};
     frames.lightSteps = *steps;
+    if (!_metar.empty())
+    {
+        auto report = simulation::readMetar(_metar, "--metar");
+        if (!report) return report.error();
+        request.clouds = std::move(report->clouds);
+        request.weather = std::move(report->weather);
+    }
+    if (!_clouds.empty())
+    {
+        auto clouds = simulation::readCloudLayers(_clouds, "--clouds");
+        if (!clouds) return clouds.error();
+        request.clouds = *std::move(clouds);
+    }
     if (!_interior.empty()) frames.interior = _interior == "on";
     if (const auto placed = placeFreeEye(); !placed) return placed;
     if (const auto placed = placeWindow(); !placed) return placed;

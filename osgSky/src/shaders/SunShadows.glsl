@@ -2,10 +2,11 @@
 // Tells what share of the sun reaches a place, by the maps of the class SunShadows: four squares across the rays, each wider than the one
 // before, in one texture. Each map ends softly in the next. Follows Atmosphere.glsl. GLSL 1.30.
 // SUN_SHADOWS: there are maps. SUN_SHADOW_MAP: this is the picture of one: main() computes no colour, only what it discards.
+// CLOUD_SHADOWS: clouds above take light, too.
 // SUN_SHADOW_HARD: one sample in place of four. PICTURE_LOW, PICTURE_MEDIUM: pictures that leave out detail to be quick; for all parts of
 // a program.
 
-#pragma import_defines(SUN_SHADOWS, SUN_SHADOW_MAP, SUN_SHADOW_HARD, PICTURE_LOW, PICTURE_MEDIUM)
+#pragma import_defines(SUN_SHADOWS, SUN_SHADOW_MAP, SUN_SHADOW_HARD, PICTURE_LOW, PICTURE_MEDIUM, CLOUD_SHADOWS)
 
 #ifdef SUN_SHADOWS
 uniform sampler2DShadow sunShadowMap;
@@ -45,7 +46,22 @@ float edgeOfMap(vec2 place, vec4 map)
 }
 #endif
 
-float sunShare(vec3 fromEyeWorld, vec3 normalWorld, float beyond)
+#ifdef CLOUD_SHADOWS
+uniform sampler2D cloudShade;    // share of the sun below the clouds, on the plane of their base; repeats
+uniform vec3 cloudShadeSlab;     // base and top in the world, metres; how much of the shadow counts
+uniform vec2 cloudShadeDrift;    // metres
+
+float cloudShare(vec3 fromEyeWorld)
+{
+    const float kTileM = 20480.0, kLowestSun = 0.105;
+    vec3 place = osg_ViewMatrixInverse[3].xyz + fromEyeWorld;
+    vec2 at = place.xy + sunDirection().xy * ((cloudShadeSlab.x - place.z) / max(sunDirection().z, kLowestSun));
+    float within = smoothstep(cloudShadeSlab.x, cloudShadeSlab.y, place.z);
+    return mix(1.0, texture(cloudShade, (at - cloudShadeDrift) / kTileM).r, cloudShadeSlab.z * (1.0 - within));
+}
+#endif
+
+float shareOfMaps(vec3 fromEyeWorld, vec3 normalWorld, float beyond)
 {
 #ifdef SUN_SHADOWS
     const float kFade = 0.12; // of a map's half side: within it, it ends in the next
@@ -80,4 +96,13 @@ float sunShare(vec3 fromEyeWorld, vec3 normalWorld, float beyond)
 #else
     return beyond;
 #endif
+}
+
+float sunShare(vec3 fromEyeWorld, vec3 normalWorld, float beyond)
+{
+    float share = shareOfMaps(fromEyeWorld, normalWorld, beyond);
+#ifdef CLOUD_SHADOWS
+    share *= cloudShare(fromEyeWorld);
+#endif
+    return share;
 }

@@ -130,6 +130,12 @@ Outcome assignImagery(RoamFile& file, const RoamEntry& entry)
                        "join some with gdalbuildvrt");
 }
 
+Outcome assignClouds(RoamFile& file, const RoamEntry& entry)
+{
+    file.clouds = std::string(entry.value);
+    return success();
+}
+
 /// A key, and the function that applies its value.
 struct Key
 {
@@ -181,6 +187,7 @@ constexpr std::array kKeys{
     Key{"surroundings",
         [](RoamFile& f, const RoamEntry& e) { return assignWord(f.surroundings, e, kSurroundings); }},
     Key{"moonlight", [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.moonlight, e, 0.0, 1.0); }},
+    Key{"clouds", assignClouds},
     Key{"visibility",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.visibilityM, e, 1.0, kFar); }},
 };

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "RenderedView.h"
+#include "scenery/nodes/NightSky.h"
 
 using osgSky::AtmosphereSettings;
 using osgSky::sunDirectionFromAngles;
@@ -104,8 +105,12 @@ TEST(Sky, StarsComeOutAtNightOnly)
     const auto brightest = [](double elevationDeg)
     {
         const rendered::ViewScene scene(sunAt(elevationDeg));
-        const auto picture = rendered::pictureFrom(scene.root, scenery::poseLookingAt({0, 0, 2}, {0, 1, 3}),
-                                                   rendered::smallPicture());
+        scenery::NightSky night;
+        night.show(simulation::worldFromStars(*simulation::parseDateTime("2024-12-15T22:00:00Z"), 47.0, 8.0),
+                   elevationDeg, {});
+        scene.root->addChild(&night.node());
+        const auto picture = rendered::pictureFrom(
+            scene.root, scenery::poseLookingAt({0, 0, 2}, {0, -1, 2.7}), rendered::smallPicture());
         int largest = 0;
         for (unsigned y = 1; y < 120; ++y)
             for (unsigned x = 1; x < 160; ++x)

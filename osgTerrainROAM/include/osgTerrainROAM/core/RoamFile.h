@@ -82,6 +82,7 @@ struct RoadsOrigin
 ///   water = level | none              level ground and ground below the sea is water, or all ground is land
 ///   sun = AZIMUTH ELEVATION           degrees, below the horizon at night        visibility = METRES
 ///   moonlight = 0…1                   1: a full moon, high up
+///   clouds = OKTAS KIND BASE TOP [; …] layers of clouds, metres above the ground at the origin; or none
 ///   surroundings = made | none        beyond the data: made-up ground to the horizon, or nothing
 /// Relative paths are relative to the file's folder; names that begin with /vsi are GDAL's and stay as they
 /// are. Errors, with place "file:line": unknown or repeated key, missing dem, bad number.
@@ -114,6 +115,7 @@ struct RoamFile
     std::optional<double> sunElevationDeg;
     std::optional<double> visibilityM;
     std::optional<double> moonlight;
+    std::string clouds;       ///< as they stand there, not read; empty: nothing is told
     bool showsVoids = false;  ///< colours filled ground
     bool surroundings = true; ///< made-up ground beyond the data
 };
