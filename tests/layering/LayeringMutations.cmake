@@ -28,6 +28,7 @@ function(plantTree)
             "simulation/Clock.h|cstdint"
             "scenery/models/Tree.h|osgPMObjects/core/Mesh.h"
             "scenery/placement/Place.h|scenery/models/Tree.h"
+            "scenery/clouds/Cloud.h|foundation/Result.h"
             "worldmaking/streets/Heights.h|scenery/roads/CutRoads.h"
             "scenery/buildings/House.h|scenery/models/Tree.h"
             "scenery/roads/CutRoads.h|osgRoads/core/place/PlacedNetwork.h"
