@@ -52,7 +52,7 @@ std::optional<std::vector<simulation::CloudLayer>> cloudsOf(const simulation::En
     const bool falls = fallingOf(environment).perM3 > 0.0;
     const auto told = oktasOf(environment.cloudState);
     if (!told && !falls) return std::nullopt;
-    return simulation::usualClouds(told.value_or(kAll), falls);
+    return simulation::defaultClouds(told.value_or(kAll), falls);
 }
 
 double greyUnder(double cover)

@@ -76,7 +76,7 @@ foundation::Result<std::vector<CloudLayer>> readCloudLayers(std::string_view tex
     return layers;
 }
 
-std::vector<CloudLayer> usualClouds(int oktas, bool falls)
+std::vector<CloudLayer> defaultClouds(int oktas, bool falls)
 {
     if (oktas <= 0) return {};
     if (falls) return {{CloudKind::stratus, oktas, 500.0, 1700.0}};

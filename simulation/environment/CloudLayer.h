@@ -39,6 +39,6 @@ foundation::Result<std::vector<CloudLayer>> readCloudLayers(std::string_view tex
 
 /// Returns the layer that a cover without a height usually has: cumulus from 1200 m up to 4 oktas,
 /// stratocumulus from 1000 m up to 7, stratus from 600 m, lower where something falls from it. Nothing at 0.
-std::vector<CloudLayer> usualClouds(int oktas, bool falls);
+std::vector<CloudLayer> defaultClouds(int oktas, bool falls);
 
 } // namespace simulation

@@ -8,7 +8,7 @@
 
 #include "actions/OpeningProgress.h"
 #include "actions/PlayPlaces.h"
-#include "simulation/environment/Metar.h"
+#include "simulation/parser/Metar.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 

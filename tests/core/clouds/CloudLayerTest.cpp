@@ -34,11 +34,11 @@ TEST(CloudLayer, WhatIsNoneIsRefusedWithItsPlace)
 
 TEST(CloudLayer, ACoverWithoutAHeightHasOne)
 {
-    EXPECT_TRUE(usualClouds(0, false).empty());
+    EXPECT_TRUE(defaultClouds(0, false).empty());
     for (int oktas = 1; oktas <= 8; ++oktas)
         for (const bool falls : {false, true})
         {
-            const auto layers = usualClouds(oktas, falls);
+            const auto layers = defaultClouds(oktas, falls);
             ASSERT_EQ(layers.size(), 1U);
             EXPECT_EQ(layers[0].oktas, oktas);
         }

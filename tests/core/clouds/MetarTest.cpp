@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/environment/Metar.h"
+#include "simulation/parser/Metar.h"
 
 #include <cmath>
 
