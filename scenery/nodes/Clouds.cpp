@@ -12,9 +12,9 @@
 #include <osg/Program>
 #include <osg/Texture2D>
 #include <osg/Texture3D>
+#include <osgSky/Atmosphere>
 #include <osgUtil/CullVisitor>
 
-#include <osgSky/Atmosphere>
 #include <osgTraversal/DrawOrder>
 #include <shaders/scenery.h>
 
@@ -83,8 +83,8 @@ osg::ref_ptr<osg::Node> makeRays(CloudPicture* picture)
     rays->setCullingActive(false);
     rays->addDrawable(new CloudRays(picture));
     osg::StateSet* const state = rays->getOrCreateStateSet();
-    state->setAttributeAndModes(program("cloud rays", osgSky::Atmosphere::glslFunctions() +
-                                                          std::string(shaders::kCloudRays)));
+    state->setAttributeAndModes(
+        program("cloud rays", osgSky::Atmosphere::glslFunctions() + std::string(shaders::kCloudRays)));
     state->addUniform(new osg::Uniform("cloudVolume", kVolumeUnit));
     state->addUniform(new osg::Uniform("cloudDetail", kDetailUnit));
     state->setTextureAttribute(kDetailUnit, texture3D(detailImage(), osg::Texture::REPEAT));
@@ -104,9 +104,7 @@ osg::ref_ptr<osg::Node> makeSheet(CloudPicture* picture, bool isAmong)
     sheet->setCullingActive(false);
     sheet->addDrawable(new CloudSheet(picture));
     osg::StateSet* const state = sheet->getOrCreateStateSet();
-    state->setAttributeAndModes(
-        program(isAmong ? "clouds among things" : "clouds behind things",
-                std::string(isAmong ? "#define AMONG\n" : "") + shaders::kCloudSheet));
+    state->setAttributeAndModes(makeCloudSheetProgram(isAmong));
     state->addUniform(new osg::Uniform("cloudColour", static_cast<int>(CloudSheet::kColourUnit)));
     state->addUniform(new osg::Uniform("cloudAway", static_cast<int>(CloudSheet::kAwayUnit)));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
@@ -150,6 +148,12 @@ osg::Image* newImage(int depth, GLenum format, GLint internal)
 }
 
 } // namespace
+
+osg::ref_ptr<osg::Program> makeCloudSheetProgram(bool isAmong)
+{
+    return program(isAmong ? "clouds among things" : "clouds behind things",
+                   std::string(isAmong ? "#define AMONG\n" : "") + shaders::kCloudSheet);
+}
 
 Clouds::Clouds() : _root(new osg::Group), _shadeImage(newImage(1, GL_RED, GL_R8))
 {

@@ -5,6 +5,7 @@
 
 #include <osg/Group>
 #include <osg/Image>
+#include <osg/Program>
 #include <osg/StateSet>
 #include <osg/Vec2d>
 #include <osg/Vec3d>
@@ -64,5 +65,9 @@ private:
     osg::ref_ptr<osg::Image> _volumeImage, _shadeImage;
     osg::ref_ptr<osg::StateSet> _below;
 };
+
+/// Makes the program that lays the picture of the clouds over the scene: behind all things for an eye below
+/// the clouds, else among them by depth.
+osg::ref_ptr<osg::Program> makeCloudSheetProgram(bool isAmong);
 
 } // namespace scenery

@@ -2,6 +2,8 @@
 #include <bake/BakedState.h>
 #include <bake/Finish.h>
 
+#include <osg/NodeVisitor>
+
 #include <osgMultiTriangulation/MtDrawable>
 #include <osgPMObjects/ObjectShader>
 #include <osgRoads/RoadDrawable>
@@ -11,10 +13,12 @@
 #include "Compositions.h"
 #include "RenderedScene.h"
 #include "SyntheticField.h"
+#include "scenery/nodes/Clouds.h"
 #include "scenery/nodes/FallingDrops.h"
 #include "scenery/nodes/InteriorShading.h"
 #include "scenery/nodes/LampGlow.h"
 #include "scenery/nodes/LightPoints.h"
+#include "scenery/nodes/NightSky.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/RoadThingsNode.h"
@@ -81,32 +85,69 @@ osg::ref_ptr<const osg::Program> triangulationProgram()
     return programOf(drawable->getStateSet());
 }
 
+/// Collects the programs of all states of a graph.
+class ProgramsOf : public osg::NodeVisitor
+{
+public:
+    explicit ProgramsOf(std::vector<NamedProgram>& programs)
+        : osg::NodeVisitor(osg::NodeVisitor::TRAVERSE_ALL_CHILDREN), _programs(programs)
+    {
+        setNodeMaskOverride(~0U); // what is hidden now, too
+    }
+
+    void apply(osg::Node& node) override
+    {
+        if (const osg::Program* const program = programOf(node.getStateSet()))
+            _programs.push_back({program->getName(), program});
+        traverse(node);
+    }
+
+private:
+    std::vector<NamedProgram>& _programs;
+};
+
+/// Of clouds, stars and the moon.
+void addSkyPrograms(std::vector<NamedProgram>& programs)
+{
+    ProgramsOf visitor(programs);
+    scenery::Clouds clouds;
+    clouds.setLayers({simulation::CloudLayer{}}, 0.0);
+    clouds.node().accept(visitor);
+    for (const bool isAmong : {false, true})
+        programs.push_back({"clouds laid over the scene", scenery::makeCloudSheetProgram(isAmong)});
+    scenery::NightSky night;
+    night.node().accept(visitor);
+}
+
 } // namespace
 
 std::vector<NamedProgram> objectPrograms()
 {
     const osg::ref_ptr<osg::Node> object = new osg::Group;
     scenery::setObjectShading(*object, scenery::Finish::matt);
-    return {{"object", osgPMObjects::makeObjectProgram()},
-            {"baked object", bakedProgram()},
-            {"object under the atmosphere", programOf(object->getStateSet())},
-            {"road", osgRoads::makeRoadProgram()},
-            {"road under the atmosphere",
-             programOf(scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>())->getStateSet())},
-            {"verge of a road on a terrain", roadGroundProgram()},
-            {"multi-triangulation on a terrain", triangulationProgram()},
-            {"road lamp", scenery::makeRoadLampProgram()},
-            {"interior of a vehicle", scenery::makeInteriorProgram()},
-            {"mirror", scenery::makeMirrorProgram()},
-            {"light point", scenery::makeLightPointProgram()},
-            {"lit window", scenery::makeWindowProgram()},
-            {"ground below a lamp", scenery::makeLampPoolProgram()},
-            {"lamp glow", scenery::makeLampGlowProgram()},
-            {"falling drops", scenery::makeFallingDropsProgram()},
-            {"sun shadow", scenery::makeSunShadowProgram()},
-            {"sky shade", scenery::makeSkyShadeProgram()},
-            {"sky", programOf(scenery::makeSky()->getStateSet())},
-            {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};
+    std::vector<NamedProgram> programs{
+        {"object", osgPMObjects::makeObjectProgram()},
+        {"baked object", bakedProgram()},
+        {"object under the atmosphere", programOf(object->getStateSet())},
+        {"road", osgRoads::makeRoadProgram()},
+        {"road under the atmosphere",
+         programOf(scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>())->getStateSet())},
+        {"verge of a road on a terrain", roadGroundProgram()},
+        {"multi-triangulation on a terrain", triangulationProgram()},
+        {"road lamp", scenery::makeRoadLampProgram()},
+        {"interior of a vehicle", scenery::makeInteriorProgram()},
+        {"mirror", scenery::makeMirrorProgram()},
+        {"light point", scenery::makeLightPointProgram()},
+        {"lit window", scenery::makeWindowProgram()},
+        {"ground below a lamp", scenery::makeLampPoolProgram()},
+        {"lamp glow", scenery::makeLampGlowProgram()},
+        {"falling drops", scenery::makeFallingDropsProgram()},
+        {"sun shadow", scenery::makeSunShadowProgram()},
+        {"sky shade", scenery::makeSkyShadeProgram()},
+        {"sky", programOf(scenery::makeSky()->getStateSet())},
+        {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};
+    addSkyPrograms(programs);
+    return programs;
 }
 
 } // namespace shadercheck

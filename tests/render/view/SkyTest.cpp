@@ -109,8 +109,8 @@ TEST(Sky, StarsComeOutAtNightOnly)
         night.show(simulation::worldFromStars(*simulation::parseDateTime("2024-12-15T22:00:00Z"), 47.0, 8.0),
                    elevationDeg, {});
         scene.root->addChild(&night.node());
-        const auto picture = rendered::pictureFrom(
-            scene.root, scenery::poseLookingAt({0, 0, 2}, {0, -1, 2.7}), rendered::smallPicture());
+        const auto picture = rendered::pictureFrom(scene.root, scenery::poseLookingAt({0, 0, 2}, {0, 1, 2.7}),
+                                                   rendered::smallPicture());
         int largest = 0;
         for (unsigned y = 1; y < 120; ++y)
             for (unsigned x = 1; x < 160; ++x)
