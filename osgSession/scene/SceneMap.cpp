@@ -6,12 +6,14 @@
 
 #include "MapObjects.h"
 #include "ReadShapes.h"
+#include "scenery/buildings/BuildingObstacles.h"
 #include "scenery/buildings/Outline.h"
 #include "scenery/buildings/StandBuildings.h"
 #include "scenery/lights/RunwayLights.h"
 #include "scenery/models/Catalogue.h"
 #include "scenery/nodes/BuildingsNode.h"
 #include "scenery/nodes/SceneryNode.h"
+#include "scenery/placement/PlacedObstacles.h"
 #include "scenery/roads/NearestStreet.h"
 
 namespace trainer
@@ -83,14 +85,15 @@ public:
         unused += made.unused;
     }
 
-    foundation::Outcome addTo(std::vector<StandingPart>& standing, const std::string& place) const
+    foundation::Outcome addTo(MapScenery& map, const std::string& place) const
     {
         const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(_description));
         if (!shapes) return shapes.error();
         const auto node = scenery::makeSceneryNode(_description, _placed, *shapes, place);
         if (!node) return node.error();
-        standing.push_back({"trees and vehicles", node->root, node->field, node->field->budget(),
-                            scenery::occludersOf(_description, _placed, shapes->measures)});
+        scenery::addObstacles(_description, _placed, shapes->measures, map.obstacles);
+        map.standing.push_back({"trees and vehicles", node->root, node->field, node->field->budget(),
+                                scenery::occludersOf(_description, _placed, shapes->measures)});
         return foundation::success();
     }
 
@@ -162,6 +165,7 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
     map.notes.push_back(source.string() + ": " + std::to_string(made.buildings.size()) + " buildings; " +
                         std::to_string(shapes->outside + made.beyondGround) + " beyond the ground, " +
                         std::to_string(shapes->lines + shapes->invalid + made.unusable) + " not usable");
+    scenery::addObstacles(made.buildings, map.obstacles);
     for (const scenery::StandingBuilding& standing : made.buildings)
         noteLights(standing, map);
     map.standing.push_back({"buildings",
@@ -196,7 +200,7 @@ foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFi
         map.notes.push_back("objects: " + std::to_string(objects.unused) +
                             " of no known kind, or beyond the ground");
     if (!objects.isEmpty())
-        if (const auto added = objects.addTo(map.standing, "objects"); !added) return added.error();
+        if (const auto added = objects.addTo(map, "objects"); !added) return added.error();
     return map;
 }
 

@@ -26,7 +26,8 @@ struct MapScenery
     std::vector<scenery::WindowPane> panes;  ///< of all windows
     std::vector<glm::dvec2> houses;          ///< middles of those where people live or work
     std::vector<scenery::LightPoint> lights; ///< beacons and lamps of obstacles
-    std::vector<std::string> notes;          ///< what could not be used, and how much could; a line each
+    simulation::ObstacleList obstacles;
+    std::vector<std::string> notes; ///< what could not be used, and how much could; a line each
 };
 
 /// Makes what a .roam file's `buildings` and `objects` put on the ground, houses with their doors to the

@@ -30,6 +30,7 @@
 #include "scenery/roads/LayRoads.h"
 #include "scenery/roads/RoadGround.h"
 #include "scenery/roads/TunnelOpenings.h"
+#include "scenery/roads/things/ThingObstacles.h"
 
 namespace trainer
 {
@@ -58,6 +59,7 @@ struct RoadParts
 {
     std::shared_ptr<const osgRoads::core::RoadMesh> mesh;
     std::unique_ptr<scenery::RoadThingsNode> things;
+    simulation::ObstacleList obstacles;
 };
 
 /// What a scene is made of besides its land. Each is absent until it is made, and null or empty where there
@@ -78,8 +80,10 @@ foundation::Result<RoadParts> makeRoadParts(const RoamFile& description, const R
     RoadParts parts;
     parts.mesh =
         std::make_shared<const osgRoads::core::RoadMesh>(scenery::roadMeshOf(description, roads, kept));
-    auto things =
-        scenery::RoadThingsNode::create(scenery::roads::placeRoadThings(*roads.placed, bareGround(tile)));
+    const scenery::roads::RoadThings beside =
+        scenery::roads::placeRoadThings(*roads.placed, bareGround(tile));
+    scenery::roads::addObstacles(beside, parts.obstacles);
+    auto things = scenery::RoadThingsNode::create(beside);
     if (!things) return things.error();
     parts.things = std::move(*things);
     return parts;
@@ -173,6 +177,10 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     if (!*parts.airfields) return parts.airfields->error();
     if (!*parts.structures) return parts.structures->error();
     SceneTerrain scene{*terrain, *terrain, nullptr};
+    simulation::ObstacleList obstacles = std::move((*parts.roads)->obstacles);
+    obstacles.add((*parts.map)->obstacles);
+    obstacles.add((*parts.structures)->obstacles);
+    scene.obstacles = std::make_shared<const simulation::ObstacleMap>(std::move(obstacles));
     if (roads.placed) addRoads(std::move(**parts.roads), roads, scene);
     addMap(**parts.map, scene);
     addLamps(**parts.map, scene);

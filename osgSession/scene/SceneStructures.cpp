@@ -18,6 +18,7 @@
 #include "scenery/roads/TunnelOpenings.h"
 #include "scenery/structures/HeightsInScene.h"
 #include "scenery/structures/RailTube.h"
+#include "scenery/structures/StructureObstacles.h"
 
 namespace trainer
 {
@@ -143,6 +144,7 @@ foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::Ro
             return foundation::Error{source.string(), "has nothing that can stand here",
                                      "give lines of walls, fences, power lines or railways of this place"};
     }
+    scenery::addObstacles(made.structures, groundOf(tile.tile), made.obstacles);
     if (!made.structures.empty())
         made.node = scenery::makeStructuresNode(
             scenery::structureFacets(made.structures, groundOf(tile.tile), made.beyondGround));

@@ -23,7 +23,8 @@ namespace trainer
 struct MadeStructures
 {
     std::vector<scenery::Structure> structures;
-    osg::ref_ptr<osg::Node> node; ///< of the structures; null: there are none
+    osg::ref_ptr<osg::Node> node;       ///< of the structures; null: there are none
+    simulation::ObstacleList obstacles; ///< of the structures
     std::vector<glm::dvec2> windsocks;
     std::size_t unused = 0, beyondGround = 0;
     std::vector<std::string> notes; ///< of the sources

@@ -24,6 +24,7 @@
 #include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/nodes/SettlementLights.h"
 #include "scenery/placement/SkyOccluders.h"
+#include "simulation/contact/ObstacleMap.h"
 #include "simulation/environment/CloudLayer.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/state/EnvironmentState.h"
@@ -61,6 +62,9 @@ struct SceneTerrain
     osg::ref_ptr<osgMultiTriangulation::MtDrawable> triangulation =
         nullptr;                      ///< draws the ground instead of the ROAM terrain; null: none
     std::vector<std::string> notes{}; ///< what is not as it was asked for, one line each
+
+    /// What of its map and beside its roads vehicles may hit, in the scene's frame; null: nothing.
+    std::shared_ptr<const simulation::ObstacleMap> obstacles = nullptr;
 
     /// Returns the origin of the scene's frame; absent without georeference.
     std::optional<simulation::Geodetic> origin() const;

@@ -75,6 +75,9 @@ void tellDrive(const simulation::VehicleMotion& motion)
     else
         std::printf("driven %.2f s by %s\n", vehicle.now().timeS, seat ? "hand" : "recorded inputs");
     if (!motion.note().empty()) std::printf("note: the vehicle %s\n", motion.note().c_str());
+    for (const simulation::Impact& impact : vehicle.vehicle().impacts())
+        std::printf("impact: %s%s\n", simulation::textOf(impact).c_str(),
+                    impact.hasGiven ? ", which gave way" : "");
 }
 
 /// Makes one drive after the other along one way.
@@ -86,6 +89,7 @@ public:
         : _request(request),
           _data(std::make_shared<const simulation::RoadVehicleData>(data)),
           _ground(groundForWheels(scene, request.surface)),
+          _obstacles(scene.obstacles),
           _origin(scene.origin()),
           _path(std::move(path))
     {
@@ -113,6 +117,7 @@ public:
     foundation::Result<Ride> make(std::size_t place) override
     {
         auto car = std::make_unique<simulation::RoadVehicle>(_data, _earth);
+        car->meet(_obstacles);
         auto controller = driverOf(_request, *car, _path);
         if (!controller) return controller.error();
         if (_request.hasWindow())
@@ -135,6 +140,7 @@ private:
     const DriveRequest& _request;
     std::shared_ptr<const simulation::RoadVehicleData> _data;
     std::shared_ptr<const simulation::Ground> _ground;
+    std::shared_ptr<const simulation::ObstacleMap> _obstacles;
     std::optional<simulation::Geodetic> _origin;
     std::shared_ptr<const simulation::EarthFrame> _earth;
     simulation::DriverPath _path;

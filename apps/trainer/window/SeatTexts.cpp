@@ -26,7 +26,7 @@ void SeatTexts::show(TextOverlay& overlay, double wallS, const simulation::RealT
                      const PictureTimes& times, double tolerancePx, std::string_view phase) const
 {
     const bool isTelling = wallS - _toldAtS < kToldS && !_told.empty();
-    overlay.setMessage(isTelling ? _told : paceText(pace, phase));
+    overlay.setMessage(isTelling ? _told : !_standing.empty() ? _standing : paceText(pace, phase));
     if (!overlay.areStatisticsShown()) return;
     char text[300];
     std::snprintf(text, sizeof text,

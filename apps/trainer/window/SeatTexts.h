@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "hud/TextOverlay.h"
 #include "simulation/clock/RealTimePace.h"
@@ -10,8 +11,8 @@
 namespace trainer
 {
 
-/// What a window says: the last message for some seconds, then the pace where it is not the usual; and its
-/// statistics.
+/// What a window says: the last message for some seconds, then what stands until it is taken back, or the
+/// pace where it is not the usual; and its statistics.
 class SeatTexts
 {
 public:
@@ -21,12 +22,15 @@ public:
         _toldAtS = wallS;
     }
 
+    /// Says this whenever there is no message; empty: nothing.
+    void setStanding(std::string text) { _standing = std::move(text); }
+
     /// `phase`: what whoever controls is about. `tolerancePx`: of the terrain.
     void show(TextOverlay& overlay, double wallS, const simulation::RealTimePace& pace,
               const PictureTimes& times, double tolerancePx, std::string_view phase) const;
 
 private:
-    std::string _told;
+    std::string _told, _standing;
     double _toldAtS = -1e9;
 };
 

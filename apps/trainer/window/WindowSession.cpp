@@ -85,6 +85,7 @@ void WindowSession::afterEvents()
     const bool wasOver = _live->isOver();
     _live->advance(wall);
     if (_live->isOver() && !wasOver) tell("the end; BackSpace begins again");
+    tellImpacts();
     _viewer->getFrameStamp()->setSimulationTime(_live->pace().timeS());
     _play.scene->show(_live->player(), _live->shown());
     look(wall);
@@ -94,6 +95,19 @@ void WindowSession::afterEvents()
     if (_hud) _hud->setValues(hudValuesOf(_ride.motion->vehicle().vehicle(), _request.window.units));
     sound();
     showTexts(wall);
+}
+
+/// What was hit since the picture before; a vehicle that is no longer sound begins again by a key alone.
+void WindowSession::tellImpacts()
+{
+    if (!_ride.motion) return;
+    const simulation::DynamicVehicle& vehicle = _ride.motion->vehicle().vehicle();
+    const bool isSound = vehicle.status().condition == simulation::VehicleCondition::sound;
+    const std::span<const simulation::Impact> impacts = vehicle.impacts();
+    if (impacts.size() > _impactsTold) tell(simulation::textOf(impacts.back()));
+    _impactsTold = impacts.size();
+    _texts.setStanding(isSound ? std::string()
+                               : std::string(vehicle.status().reason) + "; BackSpace begins again");
 }
 
 void WindowSession::tell(const std::string& text)

@@ -72,6 +72,7 @@ private:
     void readDevicesNow();
     void restart(std::size_t place);
     void tell(const std::string& text);
+    void tellImpacts();
     void showTexts(double wallS);
     void waitForNext(std::chrono::steady_clock::time_point begun) const;
     void finishCapture();
@@ -91,6 +92,7 @@ private:
     KeyScope _vehicle;
     Ride _ride; ///< without a maker: its scenario alone
     std::size_t _place = 0;
+    std::size_t _impactsTold = 0; ///< of this ride
     RunFiles _files;
     std::unique_ptr<WindowLoss> _loss; ///< until all that speaks with the window is gone
     PlayScene _play;

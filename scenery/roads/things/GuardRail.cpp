@@ -102,6 +102,7 @@ void placeGuardRail(const PlacedNetwork& placed, int road, const ObjectInstance&
     line.s = stretch.s;
     line.sEnd = stretch.sEnd;
     line.tint = {0.62F, 0.64F, 0.65F};
+    line.body = simulation::ObstacleKind::guardRail;
     line.lineT = tAt;
     line.profileAt = [=](double s) { return beam(side, topAt(s) - thick, topAt(s)); };
     addRoadLine(placed, road, line, into);

@@ -69,6 +69,18 @@ void addHedge(const PlacedNetwork& placed, int road, const ObjectInstance& stret
     }
 }
 
+constexpr double kBodyWallM = 0.3, kLeastBodyM = 0.3; ///< lower outlines are driven over
+
+void addWall(const glm::dvec3& from, const glm::dvec3& to, double heightM, RoadThings& into)
+{
+    if (heightM < kLeastBodyM) return;
+    simulation::Obstacle wall = simulation::pieceBetween(simulation::ObstacleKind::house, glm::dvec2(from),
+                                                         glm::dvec2(to), kBodyWallM);
+    wall.lowM = std::min(from.z, to.z) - 1.0;
+    wall.highM = std::max(from.z, to.z) + heightM;
+    into.bodies.add(wall, "building");
+}
+
 /// Adds a building by its outer outline. Returns false when it has none.
 bool addOutline(const PlacedNetwork& placed, int road, const RoadObject& object, RoadThings& into)
 {
@@ -88,6 +100,9 @@ bool addOutline(const PlacedNetwork& placed, int road, const RoadObject& object,
             heights.push_back(
                 std::max(outline.corners[i].height > 0.0 ? outline.corners[i].height : object.height, 0.1));
         }
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            addWall(thing.origin + corners[i], thing.origin + corners[(i + 1) % corners.size()],
+                    std::max(heights[i], heights[(i + 1) % corners.size()]), into);
         thing.model = models::makeOutlineBuilding(std::move(corners), std::move(heights));
         if (!thing.model.mesh.faces.empty()) into.own.push_back(std::move(thing));
         return true;
@@ -105,6 +120,8 @@ void addBuilding(const PlacedNetwork& placed, int road, const ObjectInstance& in
     const double u = 0.5 * instance.length, v = 0.5 * instance.width;
     std::vector<glm::dvec3> corners{axes * glm::dvec3(-u, -v, 0.0), axes * glm::dvec3(u, -v, 0.0),
                                     axes * glm::dvec3(u, v, 0.0), axes * glm::dvec3(-u, v, 0.0)};
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        addWall(thing.origin + corners[i], thing.origin + corners[(i + 1) % 4], instance.height, into);
     thing.model = models::makeOutlineBuilding(std::move(corners), std::vector<double>(4, instance.height));
     into.own.push_back(std::move(thing));
 }

@@ -47,6 +47,10 @@ void placeStretch(const osgRoads::core::PlacedNetwork& placed, int road, Stretch
     line.sEnd = stretch.sEnd;
     line.lineT = [=](double s) { return between(stretch.t, stretch.tEnd, s); };
     const bool isFence = form == StretchForm::fence;
+    if (form == StretchForm::jersey)
+        line.body = simulation::ObstacleKind::barrier;
+    else if (form != StretchForm::kerb) // which wheels climb
+        line.body = isFence ? simulation::ObstacleKind::fence : simulation::ObstacleKind::wall;
     line.surface = {isFence ? models::Painting::planks : models::Painting::plaster, models::Coat::matt};
     line.tint = isFence ? glm::vec3(0.55F, 0.45F, 0.35F) : glm::vec3(0.62F, 0.61F, 0.59F);
     line.uvPerM = 1.0 / 2.4;

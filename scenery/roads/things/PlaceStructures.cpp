@@ -54,6 +54,7 @@ void addPier(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
              RoadThings& into)
 {
     RoadLine pier = concreteLine(bridge);
+    pier.body = simulation::ObstacleKind::pillar;
     pier.s = s - kPierRadiusM;
     pier.sEnd = s + kPierRadiusM;
     const Sides sides = sidesAt(placed.road(road), s, 0.0);
@@ -88,8 +89,11 @@ void addEdge(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
         return side > 0 ? sides.left : sides.right;
     };
     edge.profileAt = [](double) { return boxProfile(0.5 * kEdgeWidthM, -kDeckM, kEdgeM); };
+    edge.body = simulation::ObstacleKind::bridgeRail;
+    edge.bodyTopM = kRailM;
     addRoadLine(placed, road, edge, into);
     RoadLine bar = edge;
+    bar.body.reset(); // within that of the edge
     bar.surface = models::kPlain;
     bar.uvPerM = 0.0;
     bar.tint = {0.50F, 0.52F, 0.53F};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "scenery/models/roads/Sweep.h"
 #include "scenery/roads/things/RoadThings.h"
@@ -21,6 +22,11 @@ struct RoadLine
     double uvPerM = 0.0;
     std::function<double(double)> lineT;
     std::function<Profile(double)> profileAt;
+
+    std::optional<simulation::ObstacleKind> body{}; ///< as which vehicles meet it; absent: they do not
+    double bodyTopM = 0.0;                          ///< it reaches so high at least, over the surface
+    /// vehicles drive through: the body is that of both walls
+    bool isTube = false;
 };
 
 /// Adds the body, cut into pieces of at most kPieceM, each of which has levels of its own.

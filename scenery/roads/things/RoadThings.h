@@ -14,6 +14,7 @@
 
 #include "scenery/models/Catalogue.h"
 #include "scenery/models/roads/RoadModel.h"
+#include "simulation/contact/ObstacleMap.h"
 
 namespace scenery::roads
 {
@@ -61,6 +62,8 @@ struct RoadThings
     std::vector<StandingThing> plants;
     std::vector<OwnThing> own;
     std::vector<CeilingLamp> lamps;
+    /// of what is made along a road: rails, walls, tunnels, piers; buildings
+    simulation::ObstacleList bodies;
     std::map<models::RoadModel, std::size_t> modelIndex; ///< of `models`
 };
 

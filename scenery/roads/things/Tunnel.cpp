@@ -37,6 +37,7 @@ Profile ringAround(const TunnelTube& tube, double half, Profile outside)
 void addWalkway(const PlacedNetwork& placed, int road, const TunnelTube& tube, int side, RoadLine line,
                 RoadThings& into)
 {
+    line.body.reset(); // low enough for wheels
     line.tint = {0.50F, 0.50F, 0.49F};
     line.lineT = [&plain = placed.road(road), side](double s)
     {
@@ -115,6 +116,8 @@ void placeTunnel(const PlacedNetwork& placed, int road, const RoadStructure& tun
     tube.lineT = [&plain, shape](double s) { return tunnelSides(plain, s, shape).middle(); };
     tube.profileAt = [&plain, shape](double s)
     { return tunnelLining(shape, tunnelSides(plain, s, shape).half()); };
+    tube.body = simulation::ObstacleKind::tunnelWall;
+    tube.isTube = true;
     addRoadLine(placed, road, tube, into);
     addLamps(placed, road, shape, tube, into);
     for (const int side : {1, -1})

@@ -12,6 +12,7 @@
 #include "scenery/roads/things/ObjectModels.h"
 #include "scenery/roads/things/RoadThings.h"
 #include "scenery/roads/things/SignCodes.h"
+#include "scenery/roads/things/ThingObstacles.h"
 
 namespace roads = scenery::roads;
 using scenery::models::RoadModel;
@@ -414,4 +415,47 @@ TEST(SignCodes, LampsHaveTheArrowsOfTheirSubtype)
     signal.type = "1000001";
     signal.subtype = "20";
     EXPECT_EQ(roads::signModel(signal)->arrow, RoadModel::Arrow::none);
+}
+
+TEST(PlaceRoadThings, WhatStandsIsInTheWay)
+{
+    osgRoads::core::Road road = straightRoad();
+    road.signals = {limit(100.0, -4.0, '+')};
+    osgRoads::core::RoadObject rail;
+    rail.id = "1";
+    rail.type = "barrier";
+    rail.name = "guardrail";
+    rail.s = 0.0;
+    rail.height = 0.75;
+    osgRoads::core::ObjectRepeat along;
+    along.s = 20.0;
+    along.length = 40.0;
+    along.tStart = along.tEnd = 6.0;
+    along.heightStart = along.heightEnd = 0.75;
+    rail.repeats = {along};
+    road.objects = {rail};
+    simulation::ObstacleList list;
+    roads::addObstacles(placed(road), list);
+    std::size_t posts = 0, rails = 0;
+    for (const simulation::Obstacle& obstacle : list.obstacles())
+        if (obstacle.kind == simulation::ObstacleKind::post)
+        {
+            ++posts;
+            EXPECT_EQ(obstacle.middle, glm::dvec2(100.0, -4.0));
+            EXPECT_NEAR(obstacle.highM, 2.3, 1e-9); // the top of its plate
+        }
+        else if (obstacle.kind == simulation::ObstacleKind::guardRail)
+        {
+            ++rails;
+            EXPECT_NEAR(obstacle.middle.y, 6.0, 0.1);
+            EXPECT_GT(obstacle.middle.x, 19.0);
+            EXPECT_LT(obstacle.middle.x, 61.0);
+            EXPECT_LE(obstacle.highM, 0.76);
+        }
+    EXPECT_EQ(posts, 1U);
+    EXPECT_EQ(rails, 10U);
+    // Nothing is in the way where nothing stands.
+    simulation::ObstacleList none;
+    roads::addObstacles(placed(straightRoad()), none);
+    EXPECT_TRUE(none.obstacles().empty());
 }

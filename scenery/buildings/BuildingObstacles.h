@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "scenery/buildings/Building.h"
+#include "simulation/contact/ObstacleMap.h"
+
+namespace scenery
+{
+
+/// Adds the walls of buildings to what vehicles may hit: a piece for each edge, kWallM thick, inside the
+/// outline. Those of parts over a passage begin above it; roofs on posts have none.
+void addObstacles(const std::vector<StandingBuilding>& buildings, simulation::ObstacleList& obstacles);
+
+inline constexpr double kObstacleWallM = 0.4;
+
+} // namespace scenery
