@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 
 #include "scenery/lights/Beam.h"
 

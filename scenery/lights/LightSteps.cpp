@@ -14,7 +14,7 @@ namespace
 constexpr double kNightDeg = -6.0, kDayDeg = 2.0; ///< of the sun
 constexpr double kPoorM = 5000.0;                 ///< of visibility
 
-constexpr std::array<std::string_view, kLightGroups> kNames{
+constexpr std::array<std::string_view, kLightGroups> kGroupNames{
     "",        "runway", "centreLine", "touchdownZone", "approach", "papi",
     "taxiway", "beacon", "obstacle",   "street",        "window",   ""};
 
@@ -79,13 +79,13 @@ foundation::Result<LightSteps> lightStepsOf(const std::string& text)
             part.back() > '5')
             return error("'" + part + "' is no group with a step");
         const int step = part.back() - '0';
-        const auto found = std::find(kNames.begin() + 1, kNames.end() - 1, name);
+        const auto found = std::find(kGroupNames.begin() + 1, kGroupNames.end() - 1, name);
         if (name == "all")
             std::fill(steps.begin() + 1, steps.end() - 1, step);
-        else if (found == kNames.end() - 1)
+        else if (found == kGroupNames.end() - 1)
             return error("has no group '" + name + "'");
         else
-            steps[static_cast<std::size_t>(found - kNames.begin())] = step;
+            steps[static_cast<std::size_t>(found - kGroupNames.begin())] = step;
     }
     return steps;
 }

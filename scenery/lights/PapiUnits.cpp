@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/glm.hpp>
+
 namespace scenery
 {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <foundation/Random.h>
+#include <glm/glm.hpp>
 
 namespace scenery
 {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include "scenery/lights/Allard.h"
