@@ -65,7 +65,7 @@ constexpr std::array kBindings{
     KeyBinding{"j", Scope::flight, hold, "mixture", -1.0, "mixture leaner"},
     KeyBinding{"Comma", Scope::flight, altimeter, "", -1.0, "altimeter setting lower"},
     KeyBinding{"Slash", Scope::flight, altimeter, "", 1.0, "altimeter setting higher"},
-    KeyBinding{"Up", Scope::drive, hold, "throttle", 1.0, "throttle; releases the parking brake"},
+    KeyBinding{"Up", Scope::drive, hold, "throttle", 1.0, "throttle, parking brake off"},
     KeyBinding{"Down", Scope::drive, hold, "brake", 1.0, "brake"},
     KeyBinding{"Left", Scope::drive, hold, "steering", 1.0, "steer left"},
     KeyBinding{"Right", Scope::drive, hold, "steering", -1.0, "steer right"},

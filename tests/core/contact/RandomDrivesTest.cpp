@@ -15,6 +15,9 @@ using namespace simulation;
 
 constexpr int kThings = 400'000;
 constexpr double kHalfSideM = 3000.0;
+/// Of the point below the rear axle: a tail that is pressed in goes 1 m deep; a car that falls goes on
+/// falling.
+constexpr double kDeepestM = 2.0;
 
 std::shared_ptr<const ObstacleMap> randomThings()
 {
@@ -67,7 +70,7 @@ double driveByChance(const std::shared_ptr<const ObstacleMap>& map, int drives, 
             car.step(ground, air);
             ++steps;
             const VehicleState state = car.state();
-            EXPECT_GT(state.position.z, -0.5) << "through the ground in drive " << drive;
+            EXPECT_GT(state.position.z, -kDeepestM) << "through the ground in drive " << drive;
             EXPECT_LT(state.position.z, 8.0) << "into the sky in drive " << drive;
             if (testing::Test::HasFailure()) return 0.0;
         }
@@ -89,7 +92,7 @@ TEST(RandomDrives, StayOnTheGroundAmongFourHundredThousandThings)
     EXPECT_EQ(none, 0U);
 }
 
-TEST(RandomDrives, StayOnTheGroundInAThousandDrivesOfAMinute)
+TEST(ThousandRandomDrives, StayOnTheGround)
 {
     std::size_t impacts = 0;
     driveByChance(randomThings(), 1000, 60.0, impacts);
