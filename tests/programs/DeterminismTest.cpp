@@ -99,7 +99,7 @@ TEST_F(Determinism, MovesFromFrameToFrame)
 
 TEST_F(Determinism, OtherWeatherGivesOtherPictures)
 {
-    const std::string text = with(readBytes(saved()), "visualRange=\"20000\"", "visualRange=\"900\"");
+    const std::string text = with(readBytes(saved()), "visualRange=\"60000\"", "visualRange=\"900\"");
     const Playing fog = play("fog", _place.write("fog.xosc", text));
     for (const auto& [name, bytes] : flown().frames)
         EXPECT_FALSE(bytes == fog.frames.at(name)) << name << " shows no fog";

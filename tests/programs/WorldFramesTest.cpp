@@ -145,7 +145,7 @@ std::map<std::string, std::pair<double, double>> drawsByPart(const Workplace& pl
     const std::string file = place.path("parts.json");
     EXPECT_TRUE(succeeds(runProgram({OSGTRAINER_TRAINER, "play", scenarioOf(place, kViews.front()), "--eye",
                                      "driver", "--interior", "off", "--samples", "1", "--size", "320x180",
-                                     "--frames", "24", "--parts", file},
+                                     "--frames", "40", "--parts", file},
                                     kLimitS)));
     std::map<std::string, std::pair<double, double>> draws;
     const auto table = nlohmann::json::parse(textOf(file));
