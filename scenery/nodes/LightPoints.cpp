@@ -13,9 +13,9 @@
 #include <osg/MatrixTransform>
 #include <osg/PointSprite>
 #include <osg/Texture2D>
-
 #include <osgSky/Atmosphere>
 #include <osgSky/SunShadows>
+
 #include <shaders/scenery.h>
 
 namespace scenery

@@ -13,8 +13,8 @@
 #include <osg/Geometry>
 #include <osg/PointSprite>
 #include <osg/Program>
-
 #include <osgSky/Atmosphere>
+
 #include <osgTraversal/DrawOrder>
 #include <shaders/scenery.h>
 

@@ -12,9 +12,9 @@
 #include <osg/BlendFunc>
 #include <osg/Depth>
 #include <osg/Geometry>
-
 #include <osgSky/Atmosphere>
 #include <osgSky/SunShadows>
+
 #include <osgTraversal/DrawOrder>
 #include <shaders/scenery.h>
 
@@ -55,8 +55,8 @@ osg::ref_ptr<osg::Program> lampProgramOf(const char* name, const std::string& ve
     program->setName(name);
     const std::string version = "#version 130\n";
     program->addShader(new osg::Shader(osg::Shader::VERTEX, version + vertex));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
-                                       version + osgSky::Atmosphere::glslFunctions() + fragment));
+    program->addShader(
+        new osg::Shader(osg::Shader::FRAGMENT, version + osgSky::Atmosphere::glslFunctions() + fragment));
     return program;
 }
 

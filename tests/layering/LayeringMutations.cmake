@@ -26,6 +26,8 @@ function(plantTree)
             "osgPMObjects/src/Object.cpp|osgTraversal/CullFacts"
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
             "simulation/Clock.h|cstdint"
+            "simulation/contact/Obstacle.h|cstdint"
+            "scenery/lights/Beam.h|foundation/Result.h"
             "scenery/models/Tree.h|osgPMObjects/core/Mesh.h"
             "scenery/placement/Place.h|scenery/models/Tree.h"
             "scenery/clouds/Cloud.h|foundation/Result.h"
@@ -124,6 +126,8 @@ expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTraversal/C
 expectBreach(osgPMObjects/include/osgPMObjects/core/Mesh.h "#include <osgTraversal/CullFacts>")
 expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgTraversal/NotThere>")
 expectBreach(simulation/Clock.h "#include <osg/Timer>")
+expectBreach(simulation/contact/Obstacle.h "#include \"simulation/Clock.h\"")
+expectBreach(scenery/lights/Beam.h "#include \"scenery/models/Tree.h\"")
 expectBreach(simulation/Clock.h "#include \"../osgSession/view/Scene.cpp\"")
 expectBreach(scenery/models/Tree.h "#include <osg/Image>")
 expectBreach(scenery/models/Tree.h "#include <osgPMObjects/Object>")

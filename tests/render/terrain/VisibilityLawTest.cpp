@@ -19,6 +19,7 @@
 namespace
 {
 
+using namespace osgSky;
 using namespace osgTerrainROAM;
 
 constexpr double kAwayM = 500.0;
