@@ -159,8 +159,7 @@ private:
     SolidMotion _motion, _before;
     glm::dvec3 _gravity{0.0}, _airForce{0.0}, _acceleration{0.0};
     double _steerRad = 0.0, _brakeNm = 0.0;
-    double _hullGroundM = -1e9; ///< lowest ground below the hull; far below: not known
-    double _overS = 0.0;        ///< how long it has lain on its side
+    double _overS = 0.0; ///< how long it has lain on its side
     double _timeS = 0.0, _startS = 0.0;
     std::int64_t _step = 0;
     VehicleStatus _status;

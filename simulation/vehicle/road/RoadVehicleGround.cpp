@@ -13,8 +13,6 @@ namespace
 
 constexpr double kHullNearM = 0.08;   ///< between hull and ground, from where on the hull meets it
 constexpr double kDeepestShare = 0.9; ///< of the radius; deeper wheels are lifted out
-constexpr double kNoGroundM = 1e9;
-constexpr double kAboveGroundM = 0.3; ///< of the centre of mass of a body that is lifted out
 
 } // namespace
 
@@ -61,20 +59,15 @@ void RoadVehicle::lookAtGround(const Ground& ground)
         first += counts[i];
     }
     double nearest = body.up.z > 0.7 ? 1e9 : -1.0;
-    _hullGroundM = kNoGroundM;
     for (std::size_t i = firstCorner; i < count; ++i)
-    {
         if (answers[i].isKnown) nearest = std::min(nearest, points[i].z - answers[i].heightM);
-        _hullGroundM = std::min(_hullGroundM, answers[i].isKnown ? answers[i].heightM : -kNoGroundM);
-    }
     if (nearest < kHullNearM)
         _world->layGround(_body, ground, reach + 0.5);
     else
         _world->liftGround(_body);
 }
 
-/// Wheels far below the ground (a cliff, a start inside a hill) are lifted, without speed of their own; so is
-/// a body whose centre is below all the ground under it, between which and what stands there it was pressed.
+/// Wheels far below the ground (a cliff, a start inside a hill) are lifted, without speed of their own.
 void RoadVehicle::liftOutOfGround()
 {
     double deepest = 0.0;
@@ -85,8 +78,6 @@ void RoadVehicle::liftOutOfGround()
         const WheelContact contact = _wheels[i].ground.contactOf(hubOf(i), tyre.radiusM);
         deepest = std::max(deepest, contact.depthM - (1.0 + kDeepestShare) * tyre.radiusM);
     }
-    const double sunkM = _hullGroundM - _motion.position.z;
-    if (sunkM > 0.0) deepest = std::max(deepest, sunkM + kAboveGroundM);
     if (deepest <= 0.0) return;
     crash("it hit the ground");
     _motion.position.z += deepest;
