@@ -49,7 +49,7 @@ double floorOf(const StandingBuilding& standing, const GroundSpan& span, bool is
     const double mostM = span.lowM + std::max(kMostCellarM, 0.5 * standing.building.eavesM);
     const double doorM = std::clamp(standing.groundAt(0, standing.doorEdge, 0.5), span.lowM,
                                     isByStreet ? span.highM : std::min(span.highM, mostM));
-    return std::max(doorM + kThresholdM, std::min(span.highM - kMostSunkM, mostM));
+    return std::max(doorM + kThresholdM, std::min(span.highM - kMostWallSunkM, mostM));
 }
 
 /// Puts a building on the ground, and returns what lies below it; nothing: some of it lies beyond.

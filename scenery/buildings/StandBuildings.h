@@ -27,7 +27,7 @@ struct StandingBuildings
 
 /// Makes buildings of a map's areas (buildingOf()) and points (towerOf()) and puts them on the ground. The
 /// door is on the side of the nearest street, or on the longest one, and the floor at the ground there;
-/// higher where more than kMostSunkM of a wall would lie in the ground, but not by so much that walls show
+/// higher where more than kMostWallSunkM of a wall would lie in the ground, but not by so much that walls show
 /// below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and half
 /// a metre into it. Parts of one building (kWholeTag) have one floor, that of the largest on the ground;
 /// one that lies kPassedM above it or more, where vehicles may pass, keeps so far above the ground below it.
@@ -47,7 +47,7 @@ inline constexpr std::string_view kWholeTag = "part_of";
 
 inline constexpr double kPassedM = 4.5;   ///< free height of what vehicles pass below
 inline constexpr double kFootM = 0.5;     ///< of walls in the lowest ground
-inline constexpr double kMostSunkM = 2.4; ///< of the uphill walls
+inline constexpr double kMostWallSunkM = 2.4; ///< of the uphill walls
 inline constexpr double kMostCellarM = 3.0;
 
 } // namespace scenery

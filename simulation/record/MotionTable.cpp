@@ -18,7 +18,7 @@ namespace
 
 constexpr std::size_t kMostTableBytes = std::size_t{1} << 30;
 
-foundation::Result<std::string> inflated(const std::filesystem::path& file)
+foundation::Result<std::string> unpackedTable(const std::filesystem::path& file)
 {
     std::error_code ignored;
     const gzFile stream =
@@ -176,7 +176,7 @@ const MotionTrack* MotionTable::find(const std::string& entity) const
 
 foundation::Result<MotionTable> readMotionTable(const std::filesystem::path& file)
 {
-    const foundation::Result<std::string> text = inflated(file);
+    const foundation::Result<std::string> text = unpackedTable(file);
     if (!text) return text.error();
     return parseMotionTable(*text, file.string());
 }

@@ -16,7 +16,7 @@ Vehicle vehicle(const std::string& category, const BoundingBox& box, double spee
     return vehicle;
 }
 
-Vehicle car()
+Vehicle recordedCar()
 {
     Vehicle made = vehicle("car", {{1.35, 0.0, 0.75}, 4.4, 1.8, 1.5}, 100.0);
     made.frontAxle = Axle{0.6, 0.66, 1.54, 2.65, 0.33};
@@ -59,7 +59,7 @@ std::variant<Vehicle, Pedestrian, MiscObject, Unsupported> bodyOf(TrackKind kind
         return flying;
     }
     default:
-        return car();
+        return recordedCar();
     }
 }
 

@@ -32,7 +32,7 @@ enum Unknown
     kAileron,
     kRudder,
     kSide, ///< bank where the flight is straight, sideslip in a turn
-    kEngine
+    kEngineSpeed
 };
 
 /// Solves a linear system by elimination with the largest pivot; a singular one gives no numbers.
@@ -132,7 +132,7 @@ TrimmedFlight Search::flightOf(const Vector& x) const
     const glm::dvec3 through = motion.attitude * inBody;
     motion.velocity = through + _surroundings.air.windMps;
     motion.rates = glm::conjugate(motion.attitude) * (turningOf(through, roll) + _earth.earthRate());
-    state.engineRadps = 100.0 * x[kEngine];
+    state.engineRadps = 100.0 * x[kEngineSpeed];
     state.flapDeg = _target.flapDeg;
     state.fuelKg = _fuelKg;
     state.manifoldPa =
@@ -203,7 +203,7 @@ foundation::Result<Vector> Search::run() const
             Vector next = x;
             for (std::size_t i = 0; i < kUnknowns; ++i)
                 next[i] -= share * std::clamp(full[i], -0.3, 0.3);
-            next[kEngine] = std::clamp(next[kEngine], 0.5, 4.0);
+            next[kEngineSpeed] = std::clamp(next[kEngineSpeed], 0.5, 4.0);
             const Vector changed = residualOf(next);
             isBetter = sizeOf(changed) < sizeOf(residual);
             if (isBetter) x = next, residual = changed;

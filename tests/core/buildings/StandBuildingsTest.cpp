@@ -54,7 +54,7 @@ TEST(StandBuildings, NoMoreThanAStoreyOfTheUphillWallLiesInTheGround)
     const auto street = [](const glm::dvec3& from) { return std::optional(glm::dvec2(-20.0, from.y)); };
     const StandingBuildings made = standBuildings(oneHouse(), slope, street);
     ASSERT_EQ(made.buildings.size(), 1u);
-    EXPECT_NEAR(made.buildings[0].floorM, 103.6 - kMostSunkM, 1e-9);
+    EXPECT_NEAR(made.buildings[0].floorM, 103.6 - kMostWallSunkM, 1e-9);
 }
 
 TEST(StandBuildings, OnASteepSlopeTheFloorIsLowerAndNoWallFloats)
@@ -115,7 +115,7 @@ TEST(StandBuildings, PartsOfOneBuildingShareTheFloorOfTheLargestOnTheGround)
     const StandingBuildings made = standBuildings(threeParts("9"), slope, street);
     ASSERT_EQ(made.buildings.size(), 3u);
     // At the hall's door the ground lies at 100.0 m; 103.0 m at the other end is less than a storey above it.
-    const double floorM = std::max(100.05, 103.0 - kMostSunkM);
+    const double floorM = std::max(100.05, 103.0 - kMostWallSunkM);
     for (const StandingBuilding& part : made.buildings)
         EXPECT_NEAR(part.floorM, floorM, 1e-9);
     EXPECT_NEAR(made.buildings[0].footM, 99.5, 1e-9);

@@ -46,7 +46,7 @@ std::vector<bool> borderOf(const Mesh& mesh)
     return border;
 }
 
-std::size_t turnedOver(const Mesh& mesh)
+std::size_t turnedOverCount(const Mesh& mesh)
 {
     return static_cast<std::size_t>(std::count_if(
         mesh.faces.begin(), mesh.faces.end(),
@@ -89,7 +89,7 @@ TEST(SimplifyHeightField, FacesKeepTheirUpperSideUp)
     const auto turned = [&](bool isHeightField)
     {
         const CollapseSequence sequence = simplified(mesh, true, isHeightField);
-        return turnedOver(meshAfter(mesh, sequence, stepsToFaces(sequence, half)));
+        return turnedOverCount(meshAfter(mesh, sequence, stepsToFaces(sequence, half)));
     };
     EXPECT_EQ(turned(true), 0u);
     EXPECT_GT(turned(false), 0u) << "no face turns over anyway";
@@ -132,7 +132,7 @@ TEST(SimplifyHeightField, AnOutlineOfLinesKeepsItsShapeDownToTwoFaces)
     for (const std::size_t faces : {400, 100, 30, 8, 2})
     {
         const Mesh level = meshAfter(mesh, kept, stepsToFaces(kept, faces));
-        EXPECT_EQ(turnedOver(level), 0u) << faces;
+        EXPECT_EQ(turnedOverCount(level), 0u) << faces;
         EXPECT_NEAR(doubleAreaInPlan(level), whole, 1e-6) << faces;
     }
     EXPECT_LT(doubleAreaInPlan(meshAfter(mesh, free, stepsToFaces(free, 8))), 0.99 * whole)
