@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <optional>
 
+#include <foundation/Fnv1a.h>
 #include <foundation/WholeFile.h>
 
 namespace worldtool
@@ -18,16 +17,12 @@ namespace
 
 constexpr const char* kName = "build.json";
 
-/// A sum over bytes. Source: Fowler, Noll & Vo, FNV-1a, 64 bit.
+/// A sum over texts and files.
 class Sum
 {
 public:
-    void add(const char* bytes, std::size_t count)
-    {
-        for (std::size_t i = 0; i < count; ++i)
-            _value = (_value ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3ULL;
-    }
-    void add(const std::string& text) { add(text.c_str(), text.size() + 1); }
+    /// With the zero at its end, so that texts after one another cannot be taken for others.
+    void add(const std::string& text) { _hash.add({text.c_str(), text.size() + 1}); }
 
     /// Returns false where the file cannot be read.
     bool addFile(const std::filesystem::path& file)
@@ -36,19 +31,14 @@ public:
         if (!stream) return false;
         std::array<char, 65536> bytes{};
         while (stream.read(bytes.data(), bytes.size()) || stream.gcount() > 0)
-            add(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+            _hash.add({bytes.data(), static_cast<std::size_t>(stream.gcount())});
         return stream.eof();
     }
 
-    std::string text() const
-    {
-        char digits[20];
-        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(_value));
-        return digits;
-    }
+    std::string text() const { return _hash.text(); }
 
 private:
-    std::uint64_t _value = 0xcbf29ce484222325ULL;
+    foundation::Fnv1a _hash;
 };
 
 std::optional<std::string> sumOf(const std::filesystem::path& file)

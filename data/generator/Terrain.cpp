@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include <foundation/Fnv1a.h>
+
 #include "DrainageNetwork.h"
 #include "LandEvolution.h"
 
@@ -61,16 +63,13 @@ foundation::Result<Terrain> generateTerrain(std::uint64_t seed, int side)
 
 std::uint64_t terrainHash(const Grid<float>& heightM)
 {
-    std::uint64_t hash = 0xcbf29ce484222325ull;
+    foundation::Fnv1a hash;
     for (const float height : heightM.cells)
     {
         const auto steps = static_cast<std::uint32_t>(static_cast<std::int32_t>(height / kHeightStepM));
-        for (int shift = 0; shift < 32; shift += 8)
-        {
-            hash = (hash ^ ((steps >> shift) & 0xffu)) * 0x100000001b3ull;
-        }
+        hash.addNumber(steps, sizeof steps);
     }
-    return hash;
+    return hash.value();
 }
 
 std::optional<std::uint64_t> expectedHash(std::uint64_t seed, int side)

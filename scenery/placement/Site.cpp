@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/Fnv1a.h>
+
 #include "scenery/placement/Footing.h"
 #include "scenery/placement/Patches.h"
 
@@ -18,10 +20,9 @@ constexpr double kPathStepM = 10.0;
 
 std::uint64_t seedOf(std::uint64_t seed, const std::string& name)
 {
-    std::uint64_t hash = 0xcbf29ce484222325ULL ^ seed; // FNV-1a
-    for (const char letter : name)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
-    return hash;
+    foundation::Fnv1a hash(seed);
+    hash.add(name);
+    return hash.value();
 }
 
 double longestReachM(const SceneryDescription& description)

@@ -9,26 +9,20 @@
 #include <numbers>
 #include <numeric>
 
+#include <foundation/Fnv1a.h>
+
 namespace simulation
 {
 namespace
 {
 
-/// FNV-1a, 64 bits.
-std::uint64_t hashOf(std::string_view name)
-{
-    std::uint64_t hash = 14695981039346656037ull;
-    for (const char c : name)
-        hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-    return hash;
-}
-
 std::mt19937_64 engineFor(std::uint64_t seed, std::string_view name, std::uint64_t run)
 {
-    const std::uint64_t hash = hashOf(name);
+    foundation::Fnv1a hash;
+    hash.add(name);
     const auto low = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
     const auto high = [](std::uint64_t value) { return static_cast<std::uint32_t>(value >> 32); };
-    std::seed_seq sequence{low(seed), high(seed), low(hash), high(hash), low(run), high(run)};
+    std::seed_seq sequence{low(seed), high(seed), low(hash.value()), high(hash.value()), low(run), high(run)};
     return std::mt19937_64(sequence);
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "WorldFiles.h"
 
-#include <cstdint>
-#include <cstdio>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include <foundation/CacheFolder.h>
 #include <foundation/DataFile.h>
+#include <foundation/Fnv1a.h>
 
 #include "RunProgram.h"
 
@@ -22,16 +21,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLeaveOut = "name a WORLD, or give --no-world";
 
-/// A name that differs for rasters of the same name in different folders. Source: Fowler, Noll & Vo, FNV-1a,
-/// 64 bit.
+/// A name that differs for rasters of the same name in different folders.
 std::string folderName(const fs::path& dem)
 {
-    std::uint64_t sum = 0xcbf29ce484222325ULL;
-    for (const char byte : dem.string())
-        sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-    char digits[20];
-    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(sum));
-    return dem.stem().string() + '-' + digits;
+    foundation::Fnv1a sum;
+    sum.add(dem.string());
+    return dem.stem().string() + '-' + sum.text();
 }
 
 /// Makes a world, or finds it made. One program at a time does that in a folder.

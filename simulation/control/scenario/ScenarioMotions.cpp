@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <foundation/DataFile.h>
+#include <foundation/Fnv1a.h>
 
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
@@ -155,10 +156,9 @@ ControllerProperties propertiesOf(const Controller& controller, const std::files
 /// The series of random numbers of one entity.
 std::uint64_t seedOf(std::uint64_t seed, const std::string& entity)
 {
-    constexpr std::uint64_t kPrime = 1099511628211ULL; // of FNV-1a
-    for (const char letter : entity)
-        seed = (seed ^ static_cast<unsigned char>(letter)) * kPrime;
-    return seed;
+    foundation::Fnv1a hash(seed ^ foundation::Fnv1a().value()); // begins with the seed itself
+    hash.add(entity);
+    return hash.value();
 }
 
 } // namespace

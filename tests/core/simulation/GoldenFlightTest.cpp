@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include <foundation/Fnv1a.h>
 #include <gtest/gtest.h>
 
 #include "simulation/parser/ParseScenario.h"
@@ -14,7 +15,7 @@ namespace simulation
 namespace
 {
 
-/// FNV-1a over whole millimetres and thousandths of a degree: equal on every CPU, blind to the last bits of
+/// A hash of whole millimetres and thousandths of a degree: equal on every CPU, blind to the last bits of
 /// libm.
 class Hash
 {
@@ -22,16 +23,12 @@ public:
     void add(double value, double unit)
     {
         const auto whole = static_cast<std::int64_t>(std::llround(value / unit));
-        for (int i = 0; i < 8; ++i)
-        {
-            _value ^= static_cast<std::uint64_t>(whole >> (8 * i)) & 0xFFu;
-            _value *= 1099511628211u;
-        }
+        _hash.addNumber(static_cast<std::uint64_t>(whole), sizeof whole);
     }
-    std::uint64_t value() const { return _value; }
+    std::uint64_t value() const { return _hash.value(); }
 
 private:
-    std::uint64_t _value = 14695981039346656037u;
+    foundation::Fnv1a _hash;
 };
 
 double ground(double east, double north)
