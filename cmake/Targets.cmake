@@ -5,6 +5,20 @@
 set(OSGTRAINER_HOT osgPMObjects_core osgPMObjects_tools_core osgTerrainROAM_core osgTerrainROAM_bisection_core osgMultiTriangulation_core
     osgMultiTriangulation_tools_core osgRoads_core scenery worldmaking terrain_generator)
 
+# osgtrainer_even_units(TARGET MOST): a unity build joins the sources of the target in as few units of at most MOST sources as hold them, each of about
+# the same size: a small last one would read all headers once more.
+function(osgtrainer_even_units target most)
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    list(LENGTH sources count)
+    if(NOT CMAKE_UNITY_BUILD OR count LESS 2)
+        return()
+    endif()
+    math(EXPR units "(${count} + ${most} - 1) / ${most}")
+    math(EXPR size "(${count} + ${units} - 1) / ${units}")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${size})
+endfunction()
+
 # What holds for every target of the tree: warnings, and the same rounding everywhere (a fused multiply-add would make
 # pictures and meshes depend on the CPU).
 function(osgtrainer_common target)
@@ -13,6 +27,7 @@ function(osgtrainer_common target)
     if(NOT target IN_LIST OSGTRAINER_HOT)
         target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
     endif()
+    osgtrainer_even_units(${target} "${CMAKE_UNITY_BUILD_BATCH_SIZE}")
 endfunction()
 
 # osgtrainer_install_if_built(TARGET KIND DESTINATION): installs a program or module. One that was not built is left out with a
