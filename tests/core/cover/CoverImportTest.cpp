@@ -19,7 +19,7 @@ namespace
 using namespace osgTerrainROAM::core;
 using testing::HasSubstr;
 
-constexpr int kSide = 240;
+constexpr int kCoverSide = 240;
 constexpr double kStepDeg = 0.00025;
 constexpr double kWest = 8.0, kNorth = 46.052; ///< the tile reaches from 46 and 8 to 46.0533 and 8.0533
 
@@ -42,7 +42,7 @@ protected:
         _file = std::filesystem::temp_directory_path() /
                 ("osgtrainer-cover-" + std::to_string(::getpid()) + ".tif");
         GDALDataset* dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
-            _file.c_str(), kSide, kSide, 1, GDT_Byte, nullptr);
+            _file.c_str(), kCoverSide, kCoverSide, 1, GDT_Byte, nullptr);
         OGRSpatialReference geodetic;
         geodetic.SetWellKnownGeogCS("WGS84");
         double transform[6]{kWest, kStepDeg, 0.0, kNorth, 0.0, -kStepDeg};
@@ -50,11 +50,11 @@ protected:
         dataset->SetGeoTransform(transform);
         dataset->GetRasterBand(1)->SetNoDataValue(0.0);
         std::vector<unsigned char> classes;
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x)
+        for (int y = 0; y < kCoverSide; ++y)
+            for (int x = 0; x < kCoverSide; ++x)
                 classes.push_back(static_cast<unsigned char>(classAt(x, y)));
-        EXPECT_EQ(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, kSide, kSide, classes.data(), kSide,
-                                                      kSide, GDT_Byte, 0, 0, nullptr),
+        EXPECT_EQ(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, kCoverSide, kCoverSide, classes.data(),
+                                                      kCoverSide, kCoverSide, GDT_Byte, 0, 0, nullptr),
                   CE_None);
         GDALClose(dataset);
     }
@@ -85,7 +85,8 @@ TEST_F(CoverImport, EachTexelIsTheClassOfItsPlaceOnEarth)
             const Geodetic at = tile.frame().geodeticFromLocal(local);
             const double px = (at.longitudeDeg - kWest) / kStepDeg, py = (kNorth - at.latitudeDeg) / kStepDeg;
             const auto nearBorder = [](double p) { return std::abs(p - std::round(p)) < 0.05; };
-            if (nearBorder(px) || nearBorder(py) || px < 0 || px >= kSide || py < 0 || py >= kSide) continue;
+            if (nearBorder(px) || nearBorder(py) || px < 0 || px >= kCoverSide || py < 0 || py >= kCoverSide)
+                continue;
             const auto kindAt = [](int i, int j)
             {
                 const CoverTable table = worldCoverTable();
@@ -94,8 +95,8 @@ TEST_F(CoverImport, EachTexelIsTheClassOfItsPlaceOnEarth)
             };
             ++compared;
             wrong += map->at(x, y) != kindAt(static_cast<int>(px), static_cast<int>(py));
-            shifted +=
-                map->at(x, y) != kindAt(std::min(static_cast<int>(px) + 1, kSide - 1), static_cast<int>(py));
+            shifted += map->at(x, y) !=
+                       kindAt(std::min(static_cast<int>(px) + 1, kCoverSide - 1), static_cast<int>(py));
         }
     EXPECT_GT(compared, 20000);
     EXPECT_EQ(wrong, 0);

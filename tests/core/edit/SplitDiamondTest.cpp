@@ -50,12 +50,12 @@ struct Vertices
 
 TEST(SplitDiamond, IsWhatTheBintreeSays)
 {
-    constexpr int kSide = 33;
-    const Vertices vertices(kSide);
-    EXPECT_EQ(vertices.all.size(), static_cast<std::size_t>(kSide) * kSide - 4);
+    constexpr int kGridSide = 33;
+    const Vertices vertices(kGridSide);
+    EXPECT_EQ(vertices.all.size(), static_cast<std::size_t>(kGridSide) * kGridSide - 4);
     for (const auto& [place, vertex] : vertices.all)
     {
-        const SplitDiamond diamond({place.first, place.second}, kSide);
+        const SplitDiamond diamond({place.first, place.second}, kGridSide);
         EXPECT_EQ(diamond.level(), vertex.level) << place.first << ", " << place.second;
         std::set<Corners> triangles;
         diamond.forEachTriangle([&](const GridTriangle& t) { triangles.insert(cornersOf(t)); });
@@ -65,11 +65,11 @@ TEST(SplitDiamond, IsWhatTheBintreeSays)
 
 TEST(SplitDiamond, ParentsAndChildrenAgree)
 {
-    constexpr int kSide = 17;
+    constexpr int kGridSide = 17;
     std::set<std::array<int, 4>> down, up;
-    for (const auto& [place, vertex] : Vertices(kSide).all)
+    for (const auto& [place, vertex] : Vertices(kGridSide).all)
     {
-        const SplitDiamond diamond({place.first, place.second}, kSide);
+        const SplitDiamond diamond({place.first, place.second}, kGridSide);
         diamond.forEachChild([&](GridPoint c) { down.insert({place.first, place.second, c.column, c.row}); });
         diamond.forEachParent([&](GridPoint p) { up.insert({p.column, p.row, place.first, place.second}); });
     }
