@@ -27,7 +27,8 @@ enum class ObstacleKind : std::uint8_t
     tree,
     hedge, ///< bushes: they slow
     vehicle,
-    thing, ///< anything else
+    thing,  ///< anything else
+    person, ///< on foot: gives way
     count
 };
 
@@ -61,6 +62,7 @@ constexpr ObstacleFacts factsOf(ObstacleKind kind)
         {"hedge", 1.0, 0.0, 0.02, 1.5},
         {"vehicle"},
         {"thing"},
+        {"person", 1.0, 400.0},
     }};
     return kFacts[static_cast<std::size_t>(kind)];
 }

@@ -10,6 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "simulation/contact/Impact.h"
+#include "simulation/contact/MovingObstacle.h"
 #include "simulation/state/EntityState.h"
 #include "simulation/vehicle/Air.h"
 #include "simulation/vehicle/Ground.h"
@@ -85,6 +86,13 @@ public:
     /// From now on it meets what stands in a scene; null: nothing does. A vehicle that knows no contact
     /// drives through.
     virtual void meet(std::shared_ptr<const ObstacleMap> /*obstacles*/) {}
+
+    /// Until the next call it meets these, too, each from where it is now on; a vehicle that knows no contact
+    /// drives through.
+    virtual void meetMovers(std::span<const MovingObstacle> /*movers*/) {}
+
+    /// The numbers of those that it touched in the last step, ascending.
+    virtual std::span<const int> touchedMovers() const { return {}; }
 
     /// What it hit since it began, in the order of time.
     virtual std::span<const Impact> impacts() const { return {}; }

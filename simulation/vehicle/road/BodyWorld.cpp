@@ -8,6 +8,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include "simulation/vehicle/road/GroundPatch.h"
+#include "simulation/vehicle/road/MovingBodies.h"
 #include "simulation/vehicle/road/ObstacleBodies.h"
 
 namespace simulation
@@ -48,6 +49,7 @@ struct BodyWorld::Parts
     btCollisionObject ground;
     bool hasGround = false;
     ObstacleBodies obstacles{world};
+    MovingBodies movers{world};
     std::vector<std::unique_ptr<Solid>> solids;
 
     Solid& at(int body) { return *solids[static_cast<std::size_t>(body)]; }
@@ -178,6 +180,14 @@ void BodyWorld::Parts::readHits()
                     solid->hit.obstacleMps = change;
                     solid->hit.place = vectorOf(hardest->getPositionWorldOnA());
                 }
+                else if (const auto mover = MovingBodies::numberOf(*other))
+                {
+                    if (touches) solid->hit.movers.push_back(*mover);
+                    if (change <= solid->hit.moverMps) continue;
+                    solid->hit.mover = mover;
+                    solid->hit.moverMps = change;
+                    solid->hit.moverPlace = vectorOf(hardest->getPositionWorldOnA());
+                }
         }
     }
 }
@@ -185,6 +195,11 @@ void BodyWorld::Parts::readHits()
 void BodyWorld::stand(int body, const ObstacleMap& map, std::span<const std::uint32_t> numbers)
 {
     _parts->obstacles.stand(body, map, numbers);
+}
+
+void BodyWorld::accompany(std::span<const MovingObstacle> movers)
+{
+    _parts->movers.place(movers);
 }
 
 void BodyWorld::strike(int body, const glm::dvec3& impulse, const glm::dvec3& arm)
@@ -201,6 +216,7 @@ double BodyWorld::inverseMassAt(int body, const glm::dvec3& arm, const glm::dvec
 
 void BodyWorld::step(double stepS)
 {
+    _parts->movers.advance(stepS);
     _parts->world.stepSimulation(stepS, 0);
     _parts->readHits();
 }

@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "simulation/contact/MovingObstacle.h"
 #include "simulation/contact/ObstacleMap.h"
 #include "simulation/vehicle/Ground.h"
 #include "simulation/vehicle/road/RoadVehicleData.h"
@@ -34,6 +36,11 @@ struct SolidHit
     std::optional<std::uint32_t> obstacle{}; ///< that it met hardest
     double obstacleMps = 0.0;                ///< closing speed there
     glm::dvec3 place{0.0};                   ///< where
+
+    std::optional<int> mover{}; ///< that it met hardest, by its number
+    double moverMps = 0.0;      ///< closing speed there
+    glm::dvec3 moverPlace{0.0};
+    std::vector<int> movers{}; ///< all that it touches, unsorted
 };
 
 /// Rigid bodies of boxes that meet each other, the ground and what stands on it: a world of Bullet in double
@@ -68,6 +75,10 @@ public:
     /// Lets things of a map stand around a body, by their numbers in ascending order. All bodies have one
     /// map, which must outlive the world.
     void stand(int body, const ObstacleMap& map, std::span<const std::uint32_t> numbers);
+
+    /// Lets things that move by themselves be there, each where it is now, in place of those before; step()
+    /// moves them on.
+    void accompany(std::span<const MovingObstacle> movers);
 
     /// An impulse at a point given from the centre of mass, scene's axes, at once. Units: N s, metres.
     void strike(int body, const glm::dvec3& impulse, const glm::dvec3& arm);

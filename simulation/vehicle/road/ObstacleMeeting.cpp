@@ -49,10 +49,25 @@ void ObstacleMeeting::note(const ObstacleTouch& touch)
     if (touch.closingMps < kLeastToldMps || _impacts.size() >= kMostImpacts) return;
     const double speedMps = glm::length(touch.velocity);
     _impacts.push_back({touch.timeS, touch.timeS, speedMps, touch.closingMps, touch.place,
-                        speedMps > 1e-9 ? touch.velocity / speedMps : glm::dvec3(0.0),
-                        _map->at(touch.number).kind, std::string(_map->nameOf(touch.number)),
-                        touch.hasGiven});
+                        speedMps > 1e-9 ? touch.velocity / speedMps : glm::dvec3(0.0), kindOf(touch.number),
+                        nameOf(touch.number), touch.hasGiven});
     _numbers.push_back(touch.number);
+}
+
+ObstacleKind ObstacleMeeting::kindOf(std::uint32_t number) const
+{
+    if (number < kMovers) return _map->at(number).kind;
+    for (const MovingObstacle& mover : _movers)
+        if (numberOf(mover.number) == number) return mover.box.kind;
+    return ObstacleKind::thing;
+}
+
+std::string ObstacleMeeting::nameOf(std::uint32_t number) const
+{
+    if (number < kMovers) return std::string(_map->nameOf(number));
+    for (const MovingObstacle& mover : _movers)
+        if (numberOf(mover.number) == number) return mover.name;
+    return {};
 }
 
 std::string_view ObstacleMeeting::reason(std::uint32_t number) const
@@ -72,8 +87,9 @@ std::string_view ObstacleMeeting::reason(std::uint32_t number) const
         "it hit a tree",
         "it hit a hedge",
         "it hit a vehicle",
-        "it hit a thing that stands there"};
-    return kReasons[static_cast<std::size_t>(_map->at(number).kind)];
+        "it hit a thing that stands there",
+        "it hit a person"};
+    return kReasons[static_cast<std::size_t>(kindOf(number))];
 }
 
 } // namespace simulation

@@ -10,6 +10,7 @@
 
 #include "simulation/contact/GivingContact.h"
 #include "simulation/contact/Impact.h"
+#include "simulation/contact/MovingObstacle.h"
 #include "simulation/contact/ObstacleMap.h"
 
 namespace simulation
@@ -34,6 +35,16 @@ class ObstacleMeeting
 public:
     void meet(std::shared_ptr<const ObstacleMap> obstacles);
 
+    /// These move around the vehicle, until the next call.
+    void meetMovers(std::span<const MovingObstacle> movers) { _movers.assign(movers.begin(), movers.end()); }
+    std::span<const MovingObstacle> movers() const { return _movers; }
+
+    /// Of those that give, which are not broken.
+    bool isBroken(const MovingObstacle& mover) const { return _broken.contains(numberOf(mover.number)); }
+
+    /// The number by which touches of a mover are known.
+    static std::uint32_t numberOf(int mover) { return kMovers + static_cast<std::uint32_t>(mover); }
+
     /// Nothing was hit, nothing is broken.
     void forget();
 
@@ -54,10 +65,15 @@ public:
     /// Why a vehicle that hit it is no more sound, of a text that lives as long as the program.
     std::string_view reason(std::uint32_t number) const;
 
+    static constexpr std::uint32_t kMovers = 0x8000'0000U; ///< above all numbers of a map
     static constexpr double kOneImpactS = 1.0, kLeastToldMps = 0.15;
     static constexpr std::size_t kMostImpacts = 10'000;
 
 private:
+    ObstacleKind kindOf(std::uint32_t number) const;
+    std::string nameOf(std::uint32_t number) const;
+
+    std::vector<MovingObstacle> _movers;
     std::shared_ptr<const ObstacleMap> _map;
     std::vector<std::uint32_t> _near, _fast, _giving;
     std::set<std::uint32_t> _broken;

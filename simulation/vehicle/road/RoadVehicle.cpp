@@ -167,12 +167,16 @@ void RoadVehicle::end(double stepS)
         _world->place(_body, _motion);
     }
     const SolidHit hit = _world->hit(_body);
-    if (hit.obstacle)
-        _obstacles.note(
-            {_timeS + kStepS, *hit.obstacle, hit.obstacleMps, hit.place, _before.velocity, false});
+    noteHits(hit);
     if (hit.closingMps > _data->hull.crashesAtMps)
-        crash(hit.obstacle && hit.obstacleMps == hit.closingMps ? _obstacles.reason(*hit.obstacle)
-                                                                : "it hit something hard");
+    {
+        if (hit.obstacle && hit.obstacleMps == hit.closingMps)
+            crash(_obstacles.reason(*hit.obstacle));
+        else if (hit.mover && hit.moverMps == hit.closingMps)
+            crash(_obstacles.reason(ObstacleMeeting::numberOf(*hit.mover)));
+        else
+            crash("it hit something hard");
+    }
     const bool isOver = glm::dot(axes().up, -_gravity) < kOverCosine * glm::length(_gravity);
     _overS = isOver ? _overS + stepS : 0.0;
     if (_overS > kOverTimeS && hit.touches) crash("it rolled over");

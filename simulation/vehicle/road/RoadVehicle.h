@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "simulation/vehicle/DynamicVehicle.h"
 #include "simulation/vehicle/EarthFrame.h"
@@ -92,6 +93,8 @@ public:
     {
         _obstacles.meet(std::move(obstacles));
     }
+    void meetMovers(std::span<const MovingObstacle> movers) override { _obstacles.meetMovers(movers); }
+    std::span<const int> touchedMovers() const override { return _touchedMovers; }
     std::span<const Impact> impacts() const override { return _obstacles.impacts(); }
 
     /// Steps vehicles that share a world.
@@ -133,7 +136,9 @@ private:
     void lookAtWater(const Ground& ground, bool hasWater);
     void swim(double stepS);
     void lookAtObstacles();
-    void meetGiving(std::uint32_t number);
+    bool lookAtMovers(const glm::dvec2& middle, double reachM);
+    void meetGiving(const Obstacle& obstacle, std::uint32_t number);
+    void noteHits(const SolidHit& hit);
     HullPlan planOf(const HullBox& box) const;
     glm::dvec3 airForce(const Air& air) const;
     double springForce(std::size_t wheel) const;
@@ -164,6 +169,8 @@ private:
     std::int64_t _step = 0;
     VehicleStatus _status;
     ObstacleMeeting _obstacles;
+    bool _hasMovers = false; ///< in the world of bodies
+    std::vector<int> _touchedMovers;
     std::optional<double> _waterM; ///< level of the water around it
     double _airShare = 1.0;        ///< of the hull that water has not filled
 };

@@ -44,27 +44,71 @@ HullPlan RoadVehicle::planOf(const HullBox& box) const
 /// at once.
 void RoadVehicle::lookAtObstacles()
 {
-    if (!_obstacles.hasMap()) return;
+    _touchedMovers.clear();
+    if (!_obstacles.hasMap() && _obstacles.movers().empty() && !_hasMovers) return;
     double reachM = kLookFurtherM + glm::length(_motion.velocity) * kStepS;
     double hullM = 0.0;
     for (const HullBox& box : _data->hull.boxes)
         hullM = std::max(hullM, glm::length(box.place - _mass.centre) + 0.5 * glm::length(box.sizeM));
     reachM += hullM;
     const glm::dvec2 middle(_motion.position);
-    _obstacles.look(middle - reachM, middle + reachM);
-    _world->stand(_body, _obstacles.map(), _obstacles.fast());
-    if (_obstacles.giving().empty()) return;
-    for (const std::uint32_t number : _obstacles.giving())
-        meetGiving(number);
-    _motion = _world->motion(_body);
+    bool isStruck = lookAtMovers(middle, reachM);
+    if (_obstacles.hasMap())
+    {
+        _obstacles.look(middle - reachM, middle + reachM);
+        _world->stand(_body, _obstacles.map(), _obstacles.fast());
+        for (const std::uint32_t number : _obstacles.giving())
+            meetGiving(_obstacles.map().at(number), number);
+        isStruck = isStruck || !_obstacles.giving().empty();
+    }
+    if (isStruck) _motion = _world->motion(_body);
 }
 
-void RoadVehicle::meetGiving(std::uint32_t number)
+/// Vehicles become bodies that go on as they do; persons give way. Returns whether some of those are near.
+bool RoadVehicle::lookAtMovers(const glm::dvec2& middle, double reachM)
 {
-    const Obstacle& obstacle = _obstacles.map().at(number);
+    bool isStruck = false;
+    std::vector<MovingObstacle> fast;
+    for (const MovingObstacle& mover : _obstacles.movers())
+    {
+        const double farthestM = reachM + glm::length(mover.box.halfM) + glm::length(mover.velocity) * kStepS;
+        if (glm::distance(mover.box.middle, middle) > farthestM) continue;
+        if (standsFast(mover.box.kind))
+            fast.push_back(mover);
+        else if (!_obstacles.isBroken(mover))
+        {
+            meetGiving(mover.box, ObstacleMeeting::numberOf(mover.number));
+            isStruck = true;
+        }
+    }
+    if (!fast.empty() || _hasMovers) _world->accompany(fast);
+    _hasMovers = !fast.empty();
+    return isStruck;
+}
+
+/// Keeps what was touched, and how hard.
+void RoadVehicle::noteHits(const SolidHit& hit)
+{
+    if (hit.obstacle)
+        _obstacles.note(
+            {_timeS + kStepS, *hit.obstacle, hit.obstacleMps, hit.place, _before.velocity, false});
+    if (hit.mover)
+        _obstacles.note({_timeS + kStepS, ObstacleMeeting::numberOf(*hit.mover), hit.moverMps, hit.moverPlace,
+                         _before.velocity, false});
+    for (const int mover : hit.movers)
+    {
+        const auto at = std::lower_bound(_touchedMovers.begin(), _touchedMovers.end(), mover);
+        if (at == _touchedMovers.end() || *at != mover) _touchedMovers.insert(at, mover);
+    }
+}
+
+void RoadVehicle::meetGiving(const Obstacle& obstacle, std::uint32_t number)
+{
     const auto touching = std::find_if(_data->hull.boxes.begin(), _data->hull.boxes.end(),
                                        [&](const HullBox& box) { return overlaps(planOf(box), obstacle); });
     if (touching == _data->hull.boxes.end()) return;
+    if (number >= ObstacleMeeting::kMovers)
+        _touchedMovers.push_back(static_cast<int>(number - ObstacleMeeting::kMovers));
     const HullPlan plan = planOf(*touching);
     const SolidMotion motion = _world->motion(_body);
     const glm::dvec3 place(
