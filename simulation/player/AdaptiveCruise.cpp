@@ -45,6 +45,8 @@ public:
         return _speedMps;
     }
 
+    void resume(double speedMps) override { _speedMps = speedMps; }
+
     void askFor(double speedMps) override
     {
         if (_hearsActions) _setSpeedMps = speedMps;

@@ -87,6 +87,34 @@ void EntityMotion::takeState(const EntityState& state, double timeS)
     _state.position.z = state.position.z;
 }
 
+void EntityMotion::goOn(double askedMps, double timeS)
+{
+    constexpr double kGentleMps2 = 2.0;
+    _state.readings.reset();
+    _state.aircraft.reset();
+    _state.wheelTurnDeg.reset();
+    _state.lamps.clear();
+    _state.steeringDeg = 0.0;
+    _state.isAtEndOfRoad = false;
+    _givenPitchDeg = _givenRollDeg = 0.0;
+    _timeS = timeS;
+    setSpeed(_state.speedMps, timeS);
+    if (_run)
+        _run->rejoin(_state.position, timeS);
+    else if (_state.place)
+    {
+        _state.place->heightM = 0.0;
+        (void)_roads->takeLaneAhead(*_state.place);
+    }
+    else
+        _state.pitchDeg = _state.rollDeg = 0.0;
+    if (_run) takePoint(_run->point(), _run->isTimed() ? _run->timedSpeedMps() : _state.speedMps);
+    SpeedAction asked;
+    asked.dynamics = {DynamicsShape::linear, DynamicsDimension::rate, kGentleMps2};
+    asked.target = AbsoluteTargetSpeed{askedMps};
+    startSpeed(asked, timeS);
+}
+
 void EntityMotion::setLane(int lane, double offsetM, double turnRad)
 {
     if (!_state.place || !_roads->putOnLane(*_state.place, lane, offsetM)) return;

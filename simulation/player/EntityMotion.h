@@ -67,6 +67,12 @@ public:
     /// here.
     void takeState(const EntityState& state, double timeS);
 
+    /// Goes on by itself after something else moved it, from where that has left it: along the rest of its
+    /// trajectory from where that comes nearest, else along the middle of a lane
+    /// (RoadScene::takeLaneAhead()), else straight on, level. It comes to the speed that is asked for at 2
+    /// m/s²; a trajectory with times has its own.
+    void goOn(double askedMps, double timeS);
+
     const RoadWay& way() const { return _way; }
     const std::optional<RandomDraw>& turns() const
     {

@@ -11,7 +11,11 @@ ExternalControl::ExternalControl(Place place, std::shared_ptr<MotionSource> sour
     : _place(std::move(place)),
       _source(std::move(source)),
       _external(_place.scenario.entities.size()),
-      _waiting(_place.scenario.entities.size())
+      _waiting(_place.scenario.entities.size()),
+      _seats(_place.scenario.entities.size()),
+      _yielded(_place.scenario.entities.size()),
+      _askedMps(_place.scenario.entities.size(), 0.0),
+      _impactsTold(_place.scenario.entities.size(), 0)
 {
 }
 
@@ -43,6 +47,7 @@ foundation::Outcome ExternalControl::begin(std::size_t entity, Attachment attach
 
 void ExternalControl::wish(std::size_t entity, const Controller& controller, const Wish& wish, double timeS)
 {
+    if (isByPerson(entity)) return wishBehindPerson(entity, controller, wish);
     Attachment& slot = _hasBegun ? _external[entity] : _waiting[entity];
     const bool isSame = slot.controller && slot.controller->name == controller.name &&
                         slot.controller->objectName == controller.objectName;
@@ -81,6 +86,11 @@ void ExternalControl::wish(std::size_t entity, const Controller& controller, con
 void ExternalControl::release(std::size_t entity, double timeS)
 {
     if (!has(entity)) return;
+    if (isByPerson(entity))
+    {
+        _yielded[entity] = {};
+        return;
+    }
     if (const std::string note = _external[entity].motion->note(); !note.empty())
         _notes.push_back(_place.scenario.entities[entity].name + " " + note);
     _external[entity] = {};
@@ -90,6 +100,19 @@ void ExternalControl::release(std::size_t entity, double timeS)
 
 void ExternalControl::restart(std::size_t entity, double timeS)
 {
+    if (isByPerson(entity))
+    {
+        _seats[entity]->leave(timeS);
+        const Attachment yielded = _yielded[entity];
+        _external[entity] = {};
+        if (const auto seated = sitDown(entity, timeS); !seated)
+        {
+            _seats[entity]->refuse(seated.error());
+            _notes.push_back(nameAt(entity, timeS) + seated.error().message() + "; the scenario has it");
+        }
+        _yielded[entity] = yielded;
+        return;
+    }
     if (!has(entity) || !_external[entity].controller) return;
     const Attachment attachment = _external[entity];
     release(entity, timeS);
@@ -109,6 +132,14 @@ foundation::Outcome ExternalControl::beginAll()
         if (isOfScenario) error.place = _place.scenario.entities[i].name + ", " + error.place;
         return error;
     }
+    for (std::size_t i = 0; i < _seats.size(); ++i)
+    {
+        if (!isAboutToSit(i, 0.0)) continue;
+        if (const auto seated = sitDown(i, 0.0); !seated)
+            return foundation::Error{_place.scenario.entities[i].name + ", " + seated.error().place,
+                                     seated.error().what, seated.error().remedy};
+    }
+    tell();
     return foundation::success();
 }
 
@@ -126,6 +157,7 @@ void ExternalControl::advanceTo(double timeS, const std::function<Traffic(std::s
     }
     for (std::size_t i = 0; i < _external.size(); ++i)
         if (_external[i].motion) _place.motions[i].takeState(_external[i].motion->state(), timeS);
+    tell();
 }
 
 bool ExternalControl::holds(std::size_t entity, ActionDomain domain) const
@@ -135,10 +167,12 @@ bool ExternalControl::holds(std::size_t entity, ActionDomain domain) const
     return domain == ActionDomain::longitudinal ? attachment.isLongitudinal : attachment.isLateral;
 }
 
-bool ExternalControl::areDone() const
+bool ExternalControl::areDone(double timeS) const
 {
     const auto isWhole = [](const Attachment& attachment)
-    { return attachment.motion && !attachment.controller; };
+    { return attachment.motion && !attachment.controller && !attachment.isByPerson; };
+    const auto isOver = [&](const std::shared_ptr<Seat>& seat) { return seat && seat->isDone(timeS); };
+    if (std::any_of(_seats.begin(), _seats.end(), isOver)) return true;
     return std::any_of(_external.begin(), _external.end(), isWhole) &&
            std::all_of(_external.begin(), _external.end(),
                        [&](const Attachment& attachment)
@@ -149,8 +183,12 @@ std::vector<std::string> ExternalControl::notes() const
 {
     std::vector<std::string> notes = _notes;
     for (std::size_t i = 0; i < _external.size(); ++i)
-        if (_external[i].motion && _external[i].controller && !_external[i].motion->note().empty())
-            notes.push_back(_place.scenario.entities[i].name + " " + _external[i].motion->note());
+    {
+        const Attachment& attachment = _external[i];
+        if (!attachment.motion || (!attachment.controller && !attachment.isByPerson)) continue;
+        if (const std::string note = attachment.motion->note(); !note.empty())
+            notes.push_back(_place.scenario.entities[i].name + " " + note);
+    }
     return notes;
 }
 

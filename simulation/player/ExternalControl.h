@@ -7,14 +7,17 @@
 #include <vector>
 
 #include "simulation/player/MotionSource.h"
+#include "simulation/player/Seat.h"
 #include "simulation/player/actions/RunningAction.h"
+#include "simulation/state/EntityTold.h"
 
 namespace simulation
 {
 
-/// The entities that vehicles with physics move in place of the actions: attached for the whole play, or by a
-/// controller while it is active. A vehicle has one body, so it moves its entity while either domain is its
-/// own; in the other domain it does what the scenario asks.
+/// The entities that vehicles with physics move in place of the actions: attached for the whole play, by a
+/// controller while it is active, or by a person while the person has it, who comes before a controller: that
+/// one begins anew when the entity is given back. A vehicle has one body, so it moves its entity while either
+/// domain is its own; in the other domain it does what the scenario asks.
 class ExternalControl
 {
 public:
@@ -31,6 +34,7 @@ public:
         std::vector<EntityMotion>& motions;
         std::function<EnvironmentState()> environment;
         std::function<WayAhead(const EntityMotion&)> wayOf;
+        std::function<bool(std::size_t)> isThere; ///< it may be added later, and deleted
     };
 
     /// `source` may be null: then controllers of that kind leave the entity to the scenario.
@@ -38,6 +42,37 @@ public:
 
     /// Lets something move an entity for the whole play, from beginAll() on.
     void attach(std::size_t entity, std::shared_ptr<ExternalMotion> motion);
+
+    /// Lets a person sit in an entity, from beginAll() on.
+    void seat(std::size_t entity, std::shared_ptr<Seat> seat);
+
+    /// What a manual controller of the storyboard asks. False: nobody can sit there.
+    bool askSeat(std::size_t entity, bool isTaken);
+
+    /// Whether turn() will let the person take the entity.
+    bool isAboutToSit(std::size_t entity, double timeS) const;
+
+    /// Lets persons take over and give back as their seats want, before the step that follows `timeS`.
+    /// Returns whose entities have changed hands. What was given back, and is not moved by a controller then,
+    /// is left to the caller, at the speed of askedMps().
+    std::vector<std::size_t> turn(double timeS);
+
+    /// The entity is no longer there: nobody moves it.
+    void vanish(std::size_t entity, double timeS);
+
+    bool isByPerson(std::size_t entity) const { return _external[entity].isByPerson; }
+
+    /// The speed that the scenario asked for last while a person had the entity, or before.
+    double askedMps(std::size_t entity) const { return _askedMps[entity]; }
+
+    /// Which entities those of a person touched in the last step: pairs of indices.
+    std::vector<std::pair<int, int>> touches() const;
+
+    /// What tables tell of each entity; empty: nobody may sit anywhere.
+    const std::vector<EntityTold>& told() const { return _told; }
+
+    /// Adds a line to notes().
+    void note(std::string line) { _notes.push_back(std::move(line)); }
 
     /// Gives domains of an entity to a controller, or takes them back; before beginAll() from then on.
     void wish(std::size_t entity, const Controller& controller, const Wish& wish, double timeS);
@@ -58,10 +93,15 @@ public:
 
     bool has(std::size_t entity) const { return _external[entity].motion != nullptr; }
     bool holds(std::size_t entity, ActionDomain domain) const;
-    void askForSpeed(std::size_t entity, double speedMps) { _external[entity].motion->askForSpeed(speedMps); }
+    void askForSpeed(std::size_t entity, double speedMps)
+    {
+        _askedMps[entity] = speedMps;
+        _external[entity].motion->askForSpeed(speedMps);
+    }
 
-    /// Whether some are attached for the whole play, and all of them are done.
-    bool areDone() const;
+    /// Whether some are attached for the whole play, and all of them are done; or the inputs of a person have
+    /// ended.
+    bool areDone(double timeS) const;
 
     /// What a person should know: controllers that could not begin, crashes. A line each.
     std::vector<std::string> notes() const;
@@ -72,8 +112,14 @@ private:
         std::shared_ptr<ExternalMotion> motion; ///< null: the entity moves by its actions
         std::optional<Controller> controller;   ///< absent: attached for the whole play
         bool isLongitudinal = true, isLateral = true;
+        bool isByPerson = false;
     };
 
+    foundation::Outcome sitDown(std::size_t entity, double timeS);
+    void standUp(std::size_t entity, double timeS);
+    void wishBehindPerson(std::size_t entity, const Controller& controller, const Wish& wish);
+    void tell();
+    std::string nameAt(std::size_t entity, double timeS) const;
     foundation::Outcome begin(std::size_t entity, Attachment attachment, double timeS);
 
     Place _place;
@@ -81,6 +127,11 @@ private:
     std::vector<Attachment> _external, _waiting; ///< of each entity; the latter until beginAll()
     bool _hasBegun = false;
     std::vector<std::string> _notes;
+    std::vector<std::shared_ptr<Seat>> _seats; ///< of each entity; null: nobody may sit there
+    std::vector<Attachment> _yielded;          ///< to persons, of each entity, without motions
+    std::vector<double> _askedMps;             ///< of each entity
+    std::vector<std::size_t> _impactsTold;     ///< of each entity's motion
+    std::vector<EntityTold> _told;
 };
 
 } // namespace simulation

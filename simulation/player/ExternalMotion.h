@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include <foundation/Result.h>
 
+#include "simulation/contact/Impact.h"
 #include "simulation/player/Traffic.h"
 
 namespace simulation
@@ -42,6 +44,13 @@ public:
 
     /// What a person should know of it (a crash, a lost process); empty: nothing.
     virtual std::string note() const = 0;
+
+    /// What it hit since it began, in the order of time; times count from begunS().
+    virtual std::span<const Impact> impacts() const { return {}; }
+    virtual double begunS() const { return 0.0; }
+
+    /// Which entities it touched in the last advanceTo(), ascending.
+    virtual std::span<const int> touched() const { return {}; }
 };
 
 } // namespace simulation

@@ -53,6 +53,7 @@ public:
     }
 
     void askFor(double speedMps) override { _desiredMps = speedMps; }
+    void resume(double speedMps) override { _speedMps = speedMps; }
 
 private:
     /// The gap to the next line at which it has to stop. At a sign it stands for a while, and then goes on.

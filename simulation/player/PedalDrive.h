@@ -35,6 +35,7 @@ public:
 
     double speedAfter(ActionScene& scene, int actor) override;
     void askFor(double) override {}
+    void resume(double speedMps) override { _speedMps = speedMps; }
 
 private:
     Controls _controls;

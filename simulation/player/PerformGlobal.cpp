@@ -47,6 +47,8 @@ void ScenePerformer::carryOut(const EntityAction& action)
     {
         for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
             end(entity, domain);
+        if (_external.isByPerson(static_cast<std::size_t>(entity)))
+            _external.vanish(static_cast<std::size_t>(entity), timeS());
         motion(entity).setSpeed(0.0, timeS());
     }
     else if (const auto placed = action.position ? _positions.place(*action.position) : std::nullopt)

@@ -221,6 +221,7 @@ void ScenePerformer::activate(const std::string& name, const ExternalControl::Wi
 {
     const auto index = static_cast<std::size_t>(actor);
     const Controller* const controller = controllerOf(name, actor);
+    if (controller && controller->isManual() && asksPerson(*controller, wish, actor)) return;
     if (controller && controller->hasPhysics())
     {
         _active[index].reset();

@@ -32,6 +32,8 @@ public:
     {
         for (const auto& [entity, motion] : options.motions)
             _performer.external().attach(static_cast<std::size_t>(scenario.entityIndex(entity)), motion);
+        for (const auto& [entity, seat] : options.seats)
+            _performer.external().seat(static_cast<std::size_t>(scenario.entityIndex(entity)), seat);
         _performer.performInit();
         begun = _performer.beginExternal();
         publish();
@@ -43,6 +45,7 @@ public:
     void step()
     {
         if (isFinished()) return;
+        _performer.turn();
         clock.advance();
         _performer.carryOn();
         _performer.move();
@@ -56,7 +59,8 @@ public:
     }
 
     bool isFinished() const { return _runner.isFinished(); }
-    bool areMotionsDone() const { return _performer.external().areDone(); }
+    bool areMotionsDone() const { return _performer.external().areDone(clock.seconds()); }
+    const std::vector<EntityTold>& told() const { return _performer.external().told(); }
     std::vector<std::string> notes() const { return _performer.external().notes(); }
     const std::map<std::string, bool>& monitors() const { return _performer.monitors(); }
     const std::vector<StoryboardLogEntry>& log() const { return _runner.elements().log(); }
@@ -155,6 +159,10 @@ foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scena
         if (scenario.entityIndex(entity) < 0)
             return foundation::Error{options.scenarioName, "there is no entity '" + entity + "' to move",
                                      "name one of Entities"};
+    for (const auto& [entity, seat] : options.seats)
+        if (scenario.entityIndex(entity) < 0)
+            return foundation::Error{options.scenarioName, "there is no entity '" + entity + "' to sit in",
+                                     "name one of Entities"};
     std::unique_ptr<ScenarioPlayer> player(new ScenarioPlayer(std::move(scenario), std::move(options)));
     if (const auto& begun = player->_stage->begun; !begun) return begun.error();
     player->_stage->warnings = std::move(*warnings);
@@ -215,6 +223,10 @@ const std::vector<foundation::Error>& ScenarioPlayer::warnings() const
 bool ScenarioPlayer::areMotionsDone() const
 {
     return _stage->areMotionsDone();
+}
+const std::vector<EntityTold>& ScenarioPlayer::told() const
+{
+    return _stage->told();
 }
 bool ScenarioPlayer::isFinished() const
 {

@@ -13,10 +13,12 @@
 #include "simulation/clock/FixedClock.h"
 #include "simulation/player/MotionSource.h"
 #include "simulation/player/SceneFrame.h"
+#include "simulation/player/Seat.h"
 #include "simulation/player/StoryboardElements.h"
 #include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Scenario.h"
 #include "simulation/state/EntityState.h"
+#include "simulation/state/EntityTold.h"
 #include "simulation/state/EnvironmentState.h"
 
 namespace simulation
@@ -37,6 +39,9 @@ struct PlayerOptions
 
     /// What moves entities in place of their actions, by name; Init tells where they begin.
     std::map<std::string, std::shared_ptr<ExternalMotion>> motions{};
+
+    /// Where persons may sit, by entity; see Seat.
+    std::map<std::string, std::shared_ptr<Seat>> seats{};
 
     /// Makes the vehicles with physics that controllers of entities drive; null: the scenario moves those
     /// entities.
@@ -92,8 +97,12 @@ public:
     /// What refers to something that is not there, with the line of the element and what is done instead.
     const std::vector<foundation::Error>& warnings() const;
 
-    /// Whether there are motions that were lent, and all are done.
+    /// Whether there are motions that were lent, and all are done; or the recorded inputs of a person have
+    /// ended.
     bool areMotionsDone() const;
+
+    /// In the order of entities(); empty: nobody may sit anywhere.
+    const std::vector<EntityTold>& told() const;
 
 private:
     ScenarioPlayer(Scenario scenario, PlayerOptions options);

@@ -46,7 +46,8 @@ ScenePerformer::ScenePerformer(const Place& place)
       _clock(&place.clock),
       _environment(&place.environment),
       _external({place.scenario, _motions, [this] { return _environment->at(timeS()); },
-                 [](const EntityMotion& motion) { return motion.wayAhead(kWayM); }},
+                 [](const EntityMotion& motion) { return motion.wayAhead(kWayM); },
+                 [this](std::size_t entity) { return !_isAbsent[entity]; }},
                 place.motionSource),
       _positions(place.frame, place.roads,
                  [this](const std::string& entity) -> const EntityState*
@@ -112,6 +113,7 @@ void ScenePerformer::move()
             _motions[i].advanceTo(timeS(), _clock->stepS());
     moveControlled();
     moveExternal();
+    std::erase_if(_givenBack, [this](const auto& one) { return one.second.isOver(timeS()); });
     _trailers.follow(_motions);
     _traffic.step(*this);
     publish();
@@ -182,6 +184,7 @@ void ScenePerformer::publish()
     _states.clear();
     for (const EntityMotion& motion : _motions)
         _states.push_back(motion.state());
+    leadGivenBack();
     for (std::size_t i = 0; i < _states.size(); ++i)
     {
         _states[i].isPresent = !_isAbsent[i];
@@ -215,6 +218,18 @@ void ScenePerformer::collide()
                 _states[i].collidesWith.push_back(static_cast<int>(j));
                 _states[j].collidesWith.push_back(static_cast<int>(i));
             }
+    // A body that was kept out of a box touches it all the same.
+    const auto meet = [this](int one, int other)
+    {
+        std::vector<int>& met = _states[static_cast<std::size_t>(one)].collidesWith;
+        const auto at = std::lower_bound(met.begin(), met.end(), other);
+        if (at == met.end() || *at != other) met.insert(at, other);
+    };
+    for (const auto& [one, other] : _external.touches())
+    {
+        meet(one, other);
+        meet(other, one);
+    }
 }
 
 void ScenePerformer::end(int actor, ActionDomain domain)
@@ -252,7 +267,7 @@ void ScenePerformer::vanish(int vehicle)
     for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
         end(vehicle, domain);
     _active[static_cast<std::size_t>(vehicle)].reset();
-    _external.release(static_cast<std::size_t>(vehicle), timeS());
+    _external.vanish(static_cast<std::size_t>(vehicle), timeS());
     _isAbsent[static_cast<std::size_t>(vehicle)] = true;
     motion(vehicle).setSpeed(0.0, timeS());
 }

@@ -10,6 +10,7 @@
 #include "simulation/clock/FixedClock.h"
 #include "simulation/player/EntityMotion.h"
 #include "simulation/player/ExternalControl.h"
+#include "simulation/player/GivenBack.h"
 #include "simulation/player/PedalDrive.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/player/SignalPlan.h"
@@ -52,6 +53,9 @@ public:
     /// Performs the actions of Init: those of all entities that place something first, because positions may
     /// refer to entities that stand further down.
     void performInit();
+
+    /// Lets persons take over and give back what they sit in, before the clock advances.
+    void turn();
 
     /// Carries running actions on to the time of the clock.
     void carryOn();
@@ -139,6 +143,9 @@ private:
     void publish();
     void moveExternal();
     std::optional<glm::dvec3> askedPlace(std::size_t entity) const;
+    void goOn(std::size_t entity);
+    void leadGivenBack();
+    bool asksPerson(const Controller& controller, const ExternalControl::Wish& wish, int actor);
 
     const Scenario* _scenario;
     const SceneFrame* _frame;
@@ -166,6 +173,7 @@ private:
     std::vector<Controls> _controls;                       ///< that actions have taken over
     std::vector<std::unique_ptr<PedalDrive>> _pedals;      ///< null: none of them changes the speed
     std::vector<std::map<std::string, LampState>> _lamps;  ///< that actions have switched
+    std::map<std::size_t, GivenBack> _givenBack;           ///< entities on their way back to the scenario's
 };
 
 } // namespace simulation

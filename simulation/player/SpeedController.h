@@ -17,6 +17,9 @@ public:
     /// Returns the speed after the step. Entities without a controller have moved already.
     virtual double speedAfter(ActionScene& scene, int actor) = 0;
 
+    /// Goes on from this speed, after somebody else had the entity.
+    virtual void resume(double /*speedMps*/) {}
+
     /// Hears the speed that an action asks for.
     virtual void askFor(double speedMps) = 0;
 };

@@ -135,8 +135,26 @@ std::vector<AheadPoint> TrajectoryRun::pointsAhead(double lengthM) const
 std::optional<double> TrajectoryRun::wayTo(const glm::dvec3& place) const
 {
     constexpr double kFarthestM = 5.0;
+    return wayTo(place, kFarthestM);
+}
+
+void TrajectoryRun::rejoin(const glm::dvec3& place, double timeS)
+{
+    constexpr double kAnywhereM = 1e9;
+    const double way = wayTo(place, kAnywhereM).value_or(0.0);
+    const double at = _curve.distanceAt(_parameter) + way;
+    _parameter = _curve.parameterAt(_curve.isClosed() ? at : std::min(at, _curve.lengthM()));
+    _hasBegun = true;
+    if (_timing)
+        _timeOffset += _parameter - parameterAtTime(timeS);
+    else if (_curve.lengthM() > 0.0)
+        _distanceM += way * _lengthM / _curve.lengthM();
+}
+
+std::optional<double> TrajectoryRun::wayTo(const glm::dvec3& place, double farthestM) const
+{
     const double total = _curve.lengthM() - (_curve.isClosed() ? 0.0 : _curve.distanceAt(_parameter));
-    double nearest = kFarthestM;
+    double nearest = farthestM;
     std::optional<double> way;
     const std::vector<AheadPoint> points = pointsAhead(total);
     for (std::size_t i = 0; i + 1 < points.size(); ++i)

@@ -44,12 +44,16 @@ public:
     /// than 5 m from it.
     std::optional<double> wayTo(const glm::dvec3& place) const;
 
+    /// Goes on from where the rest comes nearest to a place, and is so much earlier or later than its times.
+    void rejoin(const glm::dvec3& place, double timeS);
+
     /// Returns the speed of the curve at the current point, for trajectories with times; 0 before the time of
     /// the first vertex.
     double timedSpeedMps() const;
 
 private:
     double parameterAtTime(double timeS) const;
+    std::optional<double> wayTo(const glm::dvec3& place, double farthestM) const;
 
     std::optional<Timing> _timing;
     double _startTimeS;

@@ -188,6 +188,32 @@ void RoadScene::takeNearestLane(RoadPlace& place) const
     leaveKerb(road, place);
 }
 
+bool RoadScene::takeLaneAhead(RoadPlace& place) const
+{
+    constexpr double kOtherWayM = 1e6; ///< counts as so much farther
+    const Road& road = roadAt(place);
+    const LaneSection* const section = osgRoads::core::sectionAt(road, place.s);
+    if (!section) return false;
+    const bool looksForward = std::cos(place.relativeHeadingRad) >= 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    int nearest = 0;
+    for (const int sign : {-1, 1})
+        osgRoads::core::forLanesOutwards(
+            road, *section, sign, place.s,
+            [&](const LaneSpan& span)
+            {
+                if (span.width() <= 0.0 || !carriesTraffic(span.lane->type)) return true;
+                const bool isOther = osgRoads::core::runsForward(road, *span.lane) != looksForward;
+                const double apart = std::fabs(place.t - span.centreT()) + (isOther ? kOtherWayM : 0.0);
+                if (apart < least) nearest = span.lane->id;
+                least = std::min(least, apart);
+                return true;
+            });
+    if (nearest == 0 || !putOnLane(place, nearest, 0.0)) return false;
+    place.relativeHeadingRad = looksForward ? 0.0 : std::numbers::pi;
+    return true;
+}
+
 bool RoadScene::runsForward(const RoadPlace& place) const
 {
     const Road& road = roadAt(place);

@@ -62,6 +62,11 @@ public:
     /// Takes the lane that is nearest to t, and the offset from its middle.
     void takeNearestLane(RoadPlace& place) const;
 
+    /// Puts a place onto the middle of the nearest lane at its s that carries traffic the way the place
+    /// looks, and lets it look along that; where all run the other way onto the nearest of them, and it looks
+    /// as before. False: no lane there carries traffic.
+    bool takeLaneAhead(RoadPlace& place) const;
+
     /// Whether traffic on the lane of the place runs towards greater s.
     bool runsForward(const RoadPlace& place) const;
 

@@ -127,12 +127,22 @@ struct Controller
     bool hasPhysics() const { return isAutopilot() || isDriver() || isRecordedInputs(); }
 
     bool isInteractive() const { return kind() == "InteractiveController"; }
+
+    /// Gives the entity to a person who sits in it: esmini's InteractiveController and ExternalController,
+    /// by the names of its catalogue too, or Manual.
+    bool isManual() const
+    {
+        const std::string own = kind();
+        return isInteractive() || own == "interactiveDriver" || own == "InteractiveDriver" ||
+               own == "ExternalController" || own == "externalController" || own == "Manual" ||
+               own == "ManualController";
+    }
     bool isAdaptiveCruise() const { return kind() == "ACCController"; }
     bool isIntelligentDriver() const { return kind() == "IntelligentDriver" || kind() == "NaturalDriver"; }
     bool isDefault() const { return kind().empty() || kind() == "DefaultController"; }
     bool isPlayed() const
     {
-        return isDefault() || isInteractive() || isAdaptiveCruise() || isIntelligentDriver() || hasPhysics();
+        return isDefault() || isManual() || isAdaptiveCruise() || isIntelligentDriver() || hasPhysics();
     }
 
     /// Returns a property as a number, or `fallback`.

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Entities that persons take over and give back.
+#include <cmath>
+#include <cstdio>
+
+#include <foundation/Angle.h>
+
+#include "simulation/player/ScenePerformer.h"
+
+namespace simulation
+{
+
+void ScenePerformer::turn()
+{
+    for (auto given = _givenBack.begin(); given != _givenBack.end();)
+    {
+        if (!_external.isAboutToSit(given->first, timeS()))
+        {
+            ++given;
+            continue;
+        }
+        _motions[given->first].takeState(_states[given->first], timeS()); // from where it is seen
+        given = _givenBack.erase(given);
+    }
+    for (const std::size_t entity : _external.turn(timeS()))
+    {
+        for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
+            end(static_cast<int>(entity), domain);
+        if (!_external.has(entity)) goOn(entity);
+    }
+}
+
+/// The scenario goes on with what a person gave back.
+void ScenePerformer::goOn(std::size_t entity)
+{
+    EntityMotion& motion = _motions[entity];
+    const EntityState left = motion.state();
+    const double askedMps = _external.askedMps(entity);
+    motion.goOn(askedMps, timeS());
+    if (SpeedController* const driver = driverOf(entity)) driver->resume(left.speedMps);
+    const GivenBack given(left, motion.state(), timeS());
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  " goes on from %.1f m/s, to %.1f m/s where nothing else says so, %.1f m aside, in %.1f s",
+                  left.speedMps, askedMps, given.asideM(), given.lastsS());
+    _external.note(left.name + text);
+    _givenBack.insert_or_assign(entity, given);
+}
+
+void ScenePerformer::leadGivenBack()
+{
+    for (const auto& [entity, given] : _givenBack)
+    {
+        EntityState& state = _states[entity];
+        given.lead(state, timeS());
+        if (!_roads || !state.place) continue;
+        if (const auto place = _roads->nearest(state.position, foundation::radiansOf(state.headingDeg)))
+            state.place = place;
+    }
+}
+
+/// Whether that was all: a manual controller gives the entity to a person who may sit there. Without one
+/// InteractiveController stands still, as in esmini, and the scenario moves what another has.
+bool ScenePerformer::asksPerson(const Controller& controller, const ExternalControl::Wish& wish, int actor)
+{
+    const bool isTaken = wish.longitudinal.value_or(false) || wish.lateral.value_or(false);
+    if (!isTaken && !wish.longitudinal && !wish.lateral) return true;
+    if (_external.askSeat(static_cast<std::size_t>(actor), isTaken)) return true;
+    const std::string& name = _scenario->entities[static_cast<std::size_t>(actor)].name;
+    char time[40];
+    std::snprintf(time, sizeof time, " at %.2f s: ", timeS());
+    if (isTaken)
+        _external.note(name + ", controller " + controller.name + time + "nobody sits there, so " +
+                       (controller.isInteractive() ? "it stands still" : "the scenario moves it") +
+                       "; --window lets a person drive, --inputs FILE plays what one did");
+    return !controller.isInteractive();
+}
+
+} // namespace simulation
