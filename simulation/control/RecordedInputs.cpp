@@ -22,7 +22,7 @@ std::string namesOf(std::span<const std::string_view> names)
 } // namespace
 
 foundation::Result<RecordedInputs> RecordedInputs::create(InputTrack track, const DynamicVehicle& vehicle,
-                                                          const std::string& name)
+                                                          const std::string& name, std::int64_t firstStep)
 {
     const double stepS = vehicle.stepSeconds();
     if (track.stepsPerSecond > 0 && std::abs(track.stepsPerSecond * stepS - 1.0) > 1e-9)
@@ -31,7 +31,7 @@ foundation::Result<RecordedInputs> RecordedInputs::create(InputTrack track, cons
                                      " steps a second, the vehicle's " +
                                      std::to_string(std::lround(1.0 / stepS)),
                                  "record it anew, or write rows over time"};
-    RecordedInputs inputs(std::move(track), stepS);
+    RecordedInputs inputs(std::move(track), stepS, firstStep);
     const std::span<const std::string_view> known = vehicle.inputNames();
     for (const std::string& input : inputs._track.names)
     {
@@ -47,11 +47,11 @@ foundation::Result<RecordedInputs> RecordedInputs::create(InputTrack track, cons
 
 void RecordedInputs::control(const ControlView& view, std::span<double> inputs)
 {
-    const double place = _track.placeOf(view.step, _stepS);
+    const double place = _track.placeOf(_firstStep + view.step, _stepS);
     _track.valuesAt(place, _values);
     for (std::size_t i = 0; i < _places.size(); ++i)
         if (_values[i] != kInputNotGiven) inputs[_places[i]] = _values[i];
-    _isDone = _track.end && _track.placeOf(view.step + 1, _stepS) >= *_track.end;
+    _isDone = _track.end && _track.placeOf(_firstStep + view.step + 1, _stepS) >= *_track.end;
 }
 
 } // namespace simulation

@@ -14,7 +14,8 @@ namespace simulation
 namespace
 {
 
-constexpr double kDuskDeg = 3.0; ///< of the sun, below which one drives with light
+constexpr double kSlenderM = 1.0, kCarM = 2.5; ///< what is smaller is a person, not a vehicle
+constexpr double kDuskDeg = 3.0;               ///< of the sun, below which one drives with light
 
 std::string_view wordOf(VehicleCondition condition)
 {
@@ -40,6 +41,29 @@ void writeControls(DynamicVehicle& vehicle, VehicleReadings& readings)
         if (found != names.end())
             readings.controls[i] = inputs[static_cast<std::size_t>(found - names.begin())];
     }
+}
+
+/// The body of another entity, so many seconds later; nothing: it has no size.
+std::optional<MovingObstacle> movingBody(const EntityState& state, const BoundingBox& box, double laterS)
+{
+    constexpr double kLeastM = 0.05;
+    if (box.lengthM < kLeastM || box.widthM < kLeastM || box.heightM < kLeastM) return std::nullopt;
+    const glm::dmat3 body = state.bodyToLocal();
+    const glm::dvec3 middle = state.position + body * box.centre + laterS * state.velocity;
+    MovingObstacle mover;
+    const double level = glm::length(glm::dvec2(body[0]));
+    if (level > 1e-6) mover.box.along = glm::dvec2(body[0]) / level;
+    mover.box.middle = glm::dvec2(middle);
+    mover.box.halfM = 0.5 * glm::dvec2(box.lengthM, box.widthM);
+    mover.box.lowM = middle.z - 0.5 * box.heightM;
+    mover.box.highM = middle.z + 0.5 * box.heightM;
+    mover.box.kind =
+        std::min(box.lengthM, box.widthM) < kSlenderM && std::max(box.lengthM, box.widthM) < kCarM
+            ? ObstacleKind::person
+            : ObstacleKind::vehicle;
+    mover.velocity = glm::dvec2(state.velocity);
+    mover.name = state.name;
+    return mover;
 }
 
 } // namespace
@@ -105,6 +129,7 @@ foundation::Outcome VehicleMotion::begin(const EntityState& start, bool isAirbor
                                          const EnvironmentState& environment)
 {
     _startS = timeS;
+    _odometerM = start.odometerM;
     takeWeather(environment);
     const auto begun = _vehicle->vehicle().begin({start.position, foundation::radiansOf(start.headingDeg),
                                                   start.speedMps, isAirborne && start.speedMps > 0.0},
@@ -123,15 +148,41 @@ void VehicleMotion::advanceTo(double timeS, const Traffic& traffic)
         takeWeather(*traffic.environment);
         _isDark = traffic.environment->sun.elevationDeg < kDuskDeg;
     }
-    while (_vehicle->now().timeS < timeS - _startS - kSameTimeS)
+    _touched.clear();
+    for (int done = 0; _vehicle->now().timeS < timeS - _startS - kSameTimeS; ++done)
     {
+        if (_meetsOthers) lookAtOthers(traffic, done * _vehicle->vehicle().stepSeconds());
         _vehicle->step(*_ground, *_air, traffic);
         _odometerM += glm::distance(_vehicle->before().position, _vehicle->now().position);
+        for (const int other : _vehicle->vehicle().touchedMovers())
+            if (std::find(_touched.begin(), _touched.end(), other) == _touched.end())
+                _touched.push_back(other);
         const VehicleStatus status = _vehicle->vehicle().status();
         if (status.condition != VehicleCondition::sound && _note.empty())
             _note = noteOf(status, _startS + _vehicle->now().timeS);
     }
     publish(timeS);
+}
+
+/// Who is near, so many seconds after they were seen.
+void VehicleMotion::lookAtOthers(const Traffic& traffic, double sinceS)
+{
+    constexpr double kNearM = 30.0;
+    _others.clear();
+    const glm::dvec3& place = _vehicle->now().position;
+    for (std::size_t i = 0; i < traffic.entities.size() && i < traffic.boxes.size(); ++i)
+    {
+        const EntityState& other = traffic.entities[i];
+        if (static_cast<int>(i) == traffic.own || !other.isPresent || other.name == _towed) continue;
+        const BoundingBox& box = traffic.boxes[i];
+        if (glm::distance(other.position, place) > kNearM + box.lengthM) continue;
+        if (auto body = movingBody(other, box, sinceS))
+        {
+            body->number = static_cast<int>(i);
+            _others.push_back(std::move(*body));
+        }
+    }
+    _vehicle->vehicle().meetMovers(_others);
 }
 
 std::string VehicleMotion::note() const

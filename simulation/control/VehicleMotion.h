@@ -2,7 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "simulation/contact/MovingObstacle.h"
 #include "simulation/control/ControlledVehicle.h"
 #include "simulation/player/ExternalMotion.h"
 #include "simulation/vehicle/WeatheredGround.h"
@@ -24,6 +28,14 @@ public:
     /// 600 m.
     void followWeather(double originHeightM, double turbulenceMps);
 
+    /// From now on it meets the other entities of the scene, too, as bodies that go on as they do; not the
+    /// one of this name, which it tows.
+    void meetOthers(std::string towed = {})
+    {
+        _meetsOthers = true;
+        _towed = std::move(towed);
+    }
+
     foundation::Outcome begin(const EntityState& start, bool isAirborne, double timeS,
                               const EnvironmentState& environment) override;
     void advanceTo(double timeS, const Traffic& traffic) override;
@@ -34,6 +46,9 @@ public:
 
     /// When and why it is not sound any more, else what its controller tells.
     std::string note() const override;
+    std::span<const Impact> impacts() const override { return _vehicle->vehicle().impacts(); }
+    double begunS() const override { return _startS; }
+    std::span<const int> touched() const override { return _touched; }
 
     const ControlledVehicle& vehicle() const { return *_vehicle; }
 
@@ -48,6 +63,7 @@ private:
     };
 
     void publish(double timeS);
+    void lookAtOthers(const Traffic& traffic, double sinceS);
     void takeWeather(const EnvironmentState& environment);
 
     std::unique_ptr<ControlledVehicle> _vehicle;
@@ -59,6 +75,10 @@ private:
     EntityState _state;
     double _odometerM = 0.0;
     std::string _note;
+    bool _meetsOthers = false;
+    std::string _towed;
+    std::vector<MovingObstacle> _others; ///< near it, before a step
+    std::vector<int> _touched;
 };
 
 /// Place, attitude and speed of a vehicle's reference point, as entities have them. `reference`: of

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <foundation/DataFile.h>
 #include <foundation/Fnv1a.h>
 
 #include "simulation/control/VehicleMotion.h"
@@ -35,21 +34,11 @@ struct VehicleWish
     double turbulenceMps = 0.0; ///< deviation above 600 m
 };
 
-std::filesystem::path defaultFileOf(const ScenarioObject& object)
-{
-    if (object.isAirborne()) return foundation::dataFile("aircraft/c172p.xml");
-    const auto* const vehicle = std::get_if<Vehicle>(&object.object);
-    const std::string category = vehicle ? vehicle->category : "";
-    if (category == "bus" || category == "truck" || category == "semitrailer")
-        return foundation::dataFile("vehicles/bus.xml");
-    return foundation::dataFile(category == "van" ? "vehicles/van.xml" : "vehicles/car.xml");
-}
-
 VehicleWish vehicleWish(ControllerProperties& properties, const ScenarioObject& object)
 {
     constexpr double kMostSeed = 4294967295.0;
     VehicleWish wish;
-    wish.file = properties.file("vehicle", defaultFileOf(object));
+    wish.file = properties.file("vehicle", vehicleFileFor(object));
     wish.seed = static_cast<std::uint64_t>(properties.number("seed", 0.0, 0.0, kMostSeed));
     wish.turbulenceMps = properties.number("turbulence", 0.0, 0.0, 20.0);
     return wish;

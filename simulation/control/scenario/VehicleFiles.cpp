@@ -2,6 +2,7 @@
 #include "simulation/control/scenario/VehicleFiles.h"
 
 #include <foundation/Angle.h>
+#include <foundation/DataFile.h>
 #include <foundation/XmlSource.h>
 
 #include "simulation/control/RecordedInputs.h"
@@ -49,6 +50,16 @@ Opened openJsbsim(const std::filesystem::path& file, const std::optional<Geodeti
 }
 
 } // namespace
+
+std::filesystem::path vehicleFileFor(const ScenarioObject& object)
+{
+    if (object.isAirborne()) return foundation::dataFile("aircraft/c172p.xml");
+    const auto* const vehicle = std::get_if<Vehicle>(&object.object);
+    const std::string category = vehicle ? vehicle->category : "";
+    if (category == "bus" || category == "truck" || category == "semitrailer")
+        return foundation::dataFile("vehicles/bus.xml");
+    return foundation::dataFile(category == "van" ? "vehicles/van.xml" : "vehicles/car.xml");
+}
 
 std::shared_ptr<const EarthFrame> earthOf(const std::optional<Geodetic>& origin)
 {

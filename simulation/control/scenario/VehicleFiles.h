@@ -10,6 +10,7 @@
 
 #include "simulation/control/VehicleController.h"
 #include "simulation/control/flight/RunwayStrip.h"
+#include "simulation/scenario/Entity.h"
 #include "simulation/vehicle/EarthFrame.h"
 
 namespace simulation
@@ -22,6 +23,9 @@ namespace simulation
 /// Errors: those of the file; a root of another name.
 foundation::Result<std::unique_ptr<DynamicVehicle>>
 openVehicle(const std::filesystem::path& file, const std::optional<Geodetic>& origin, std::uint64_t seed);
+
+/// The data file of a vehicle like an entity, by its category.
+std::filesystem::path vehicleFileFor(const ScenarioObject& object);
 
 /// The Earth below a scene; without an origin at 46° N, 8° E.
 std::shared_ptr<const EarthFrame> earthOf(const std::optional<Geodetic>& origin);
