@@ -51,6 +51,10 @@ constexpr std::array kColumns = {"Entity_Name [-]",
 constexpr std::array kOwnColumns = {"World_Roll_Angle [rad]",    "road_id",   "True_Airspeed [m/s]",
                                     "Calibrated_Airspeed [m/s]", "Condition", "Engaged_Gear [-]"};
 
+/// After the controls, in a play with a person in it.
+constexpr std::array kToldColumns = {"Driven_By", "Impact_Speed [m/s]", "Impact_Closing_Speed [m/s]",
+                                     "Impact_Course [rad]", "Impact_With"};
+
 /// Returns an angle within 0 and 2π.
 double turned(double angleRad)
 {
@@ -61,8 +65,8 @@ double turned(double angleRad)
 } // namespace
 
 MotionLog::MotionLog(const std::filesystem::path& file, const Scenario& scenario,
-                     const std::string& scenarioName)
-    : _file(file), _stream(_file.written(), std::ios::binary)
+                     const std::string& scenarioName, bool tells)
+    : _file(file), _stream(_file.written(), std::ios::binary), _tells(tells)
 {
     for (const ScenarioObject& object : scenario.entities)
         _boxes.push_back(object.box());
@@ -82,18 +86,24 @@ void MotionLog::writeHeader(const std::string& scenarioName, std::size_t count)
             _stream << '#' << i << ' ' << column << ", ";
         for (const std::string_view control : kControlNames)
             _stream << '#' << i << " Input_" << control << " [-], ";
+        for (const char* column : kToldColumns)
+            if (_tells) _stream << '#' << i << ' ' << column << ", ";
     }
     _stream << '\n';
 }
 
-void MotionLog::add(double timeS, const std::vector<EntityState>& entities)
+void MotionLog::add(double timeS, const std::vector<EntityState>& entities,
+                    const std::vector<EntityTold>& told)
 {
     const double stepS = timeS - _lastTimeS;
     _text = std::to_string(_row) + ", ";
     cell(timeS);
     for (std::size_t i = 0; i < entities.size() && i < _boxes.size(); ++i)
-        if (entities[i].isPresent)
-            writeEntity(entities[i], _boxes[i], i, stepS); // others have no columns, as in esmini
+    {
+        if (!entities[i].isPresent) continue; // it has no columns, as in esmini
+        writeEntity(entities[i], _boxes[i], i, stepS);
+        if (_tells) writeTold(i < told.size() ? told[i] : EntityTold());
+    }
     _stream << _text << '\n';
     _lastTimeS = timeS;
     ++_row;
@@ -159,6 +169,27 @@ void MotionLog::writeOwn(const EntityState& state)
     _text += ", ";
     for (const std::optional<double>& control : readings.controls)
         cell(control);
+}
+
+void MotionLog::textCell(const std::string& text)
+{
+    // A quote counts at the begin of a cell only, so no blank may stand before it.
+    if (foundation::needsCsvQuotes(text)) _text.pop_back();
+    _text += foundation::csvCell(text) + ", ";
+}
+
+void MotionLog::writeTold(const EntityTold& told)
+{
+    textCell(told.drivenBy);
+    if (!told.blow)
+    {
+        _text += ", , , , ";
+        return;
+    }
+    cell(told.blow->speedMps);
+    cell(told.blow->closingMps);
+    cell(turned(told.blow->courseRad));
+    textCell(told.blow->with);
 }
 
 void MotionLog::cell(const std::optional<double>& value)

@@ -12,6 +12,7 @@
 
 #include "simulation/scenario/Scenario.h"
 #include "simulation/state/EntityState.h"
+#include "simulation/state/EntityTold.h"
 
 namespace simulation
 {
@@ -23,10 +24,13 @@ namespace simulation
 class MotionLog
 {
 public:
-    MotionLog(const std::filesystem::path& file, const Scenario& scenario, const std::string& scenarioName);
+    /// `tells`: each entity has columns of EntityTold, too.
+    MotionLog(const std::filesystem::path& file, const Scenario& scenario, const std::string& scenarioName,
+              bool tells = false);
 
-    /// Writes the row of one step. `entities`: in the order of the scenario.
-    void add(double timeS, const std::vector<EntityState>& entities);
+    /// Writes the row of one step. `entities`, `told`: in the order of the scenario.
+    void add(double timeS, const std::vector<EntityState>& entities,
+             const std::vector<EntityTold>& told = {});
 
     /// Puts the file in place. Errors: it could not be written.
     foundation::Outcome finish();
@@ -41,6 +45,8 @@ private:
     void writeHeader(const std::string& scenarioName, std::size_t count);
     void writeEntity(const EntityState& state, const BoundingBox& box, std::size_t index, double stepS);
     void writeOwn(const EntityState& state);
+    void writeTold(const EntityTold& told);
+    void textCell(const std::string& text);
     void cell(double value);
     void cell(const std::optional<double>& value);
 
@@ -51,6 +57,7 @@ private:
     std::vector<Last> _last;
     double _lastTimeS = 0.0;
     long _row = 0;
+    bool _tells = false;
 };
 
 } // namespace simulation
