@@ -90,6 +90,46 @@ double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye)
     return ownship.isAirborne() || eye == EyePoint::above ? 5.0 : 1.0;
 }
 
+void addWeather(simulation::Scenario& scenario, const PlayRequest& request)
+{
+    if (request.weather)
+        scenario.storyboard.init.globals.push_back(simulation::EnvironmentAction{
+            {}, simulation::Environment{{}, "weather", {}, request.weather, {}, {}}});
+}
+
+simulation::SeatSettings seatSettingsOf(const PlayRequest& request)
+{
+    const SeatRequest& seat = *request.seat;
+    return {seat.entity, seat.isTakenAtStart,        seat.vehicle,
+            seat.inputs, !seat.recordInputs.empty(), request.seed};
+}
+
+std::shared_ptr<simulation::PersonSeat> seatOf(const simulation::PlayerOptions& options)
+{
+    return options.seats.empty()
+               ? nullptr
+               : std::dynamic_pointer_cast<simulation::PersonSeat>(options.seats.begin()->second);
+}
+
+namespace
+{
+
+/// Lets somebody sit where the request says.
+foundation::Outcome addSeat(simulation::PlayerOptions& options, const simulation::Scenario& scenario,
+                            const SceneTerrain& terrain, const PlayRequest& request)
+{
+    if (!request.seat) return foundation::success();
+    const auto entity = simulation::seatIn(scenario, request.seat->entity);
+    if (!entity) return entity.error();
+    auto seat = simulation::PersonSeat::create(seatSettingsOf(request), scenario.entities[*entity],
+                                               {groundForWheels(terrain), options.origin, terrain.obstacles});
+    if (!seat) return seat.error();
+    options.seats[request.seat->entity] = std::move(*seat);
+    return foundation::success();
+}
+
+} // namespace
+
 foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::Scenario& scenario,
                                                               const SceneTerrain& terrain,
                                                               const PlayRequest& request,
@@ -115,6 +155,7 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
     }
     stage.motions = request.motions;
     stage.roadsUnder = request.roadsUnder;
+    if (const auto seated = addSeat(stage, scenario, terrain, request); !seated) return seated.error();
     return stage;
 }
 
@@ -131,9 +172,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     if (terrain.terrain)
         if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
     if (terrain.roads) setRoadTolerance(*terrain.node, request.terrain.errorTolerancePx);
-    if (request.weather)
-        scenario.storyboard.init.globals.push_back(simulation::EnvironmentAction{
-            {}, simulation::Environment{{}, "weather", {}, request.weather, {}, {}}});
+    addWeather(scenario, request);
     PlayScene play;
     play.terrain = std::move(terrain);
     play.watched = *watched;
@@ -142,13 +181,16 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     auto player = simulation::ScenarioPlayer::create(std::move(scenario), *stage);
     if (!player) return player.error();
     play.player = std::move(*player);
+    play.seat = seatOf(*stage);
     if (!request.scenario.empty() && request.frames.eye != EyePoint::free)
         if (const auto placed =
                 checkPlaceOnGround(*play.player, play.watched, play.terrain, request.scenario.string());
             !placed)
             return placed.error();
     request.terrain.opening->end("scenario");
-    auto scenery = makeScenery(request.scenery, request.frames.durationS(), play.player->scenario(), *stage,
+    simulation::PlayerOptions ahead = *stage;
+    ahead.seats.clear(); // where the scenario goes by itself
+    auto scenery = makeScenery(request.scenery, request.frames.durationS(), play.player->scenario(), ahead,
                                play.terrain);
     if (!scenery) return scenery.error();
     play.scenery = *std::move(scenery);

@@ -10,6 +10,7 @@
 #include "scene/ScenarioScene.h"
 #include "scene/SceneCover.h"
 #include "scene/SceneScenery.h"
+#include "simulation/control/scenario/PersonSeat.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/Channel.h"
 
@@ -21,6 +22,7 @@ struct PlayScene
 {
     SceneTerrain terrain;
     std::unique_ptr<simulation::ScenarioPlayer> player;
+    std::shared_ptr<simulation::PersonSeat> seat; ///< in the player; null: nobody may sit anywhere
     std::unique_ptr<ScenarioScene> scene;
     std::optional<SceneScenery> scenery;
     std::unique_ptr<scenery::GroundCoverNode> cover; ///< null: none
@@ -57,7 +59,17 @@ void setQuality(PlayScene& play, Quality quality);
 /// Lets terrain and roads err by so many pixels from the next picture on.
 void setTolerance(SceneTerrain& terrain, double tolerancePx);
 
-/// How a scenario is played over a terrain. Errors: a road network that cannot be read.
+/// Lets the weather of a request hold in a scenario from the begin on, after the scenario's own.
+void addWeather(simulation::Scenario& scenario, const PlayRequest& request);
+
+/// How somebody sits in a scenario. Needs a request with a seat that names its entity.
+simulation::SeatSettings seatSettingsOf(const PlayRequest& request);
+
+/// The seat among the options of a player; null: none.
+std::shared_ptr<simulation::PersonSeat> seatOf(const simulation::PlayerOptions& options);
+
+/// How a scenario is played over a terrain. Errors: a road network that cannot be read; a seat that cannot be
+/// made.
 foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::Scenario& scenario,
                                                               const SceneTerrain& terrain,
                                                               const PlayRequest& request,

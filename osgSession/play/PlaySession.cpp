@@ -5,6 +5,7 @@
 #include <chrono>
 #include <fstream>
 
+#include <foundation/WholeFile.h>
 #include <unistd.h>
 
 #include <osgOffscreen/FrameGrabber>
@@ -12,6 +13,7 @@
 
 #include "MeasurePatches.h"
 #include "measurement/ProcessorTime.h"
+#include "simulation/player/StateBetween.h"
 #include "view/CameraTimings.h"
 #include "view/ViewFile.h"
 #include "view/WatchedEntity.h"
@@ -31,6 +33,8 @@ foundation::Result<ViewSetup> viewOf(const FrameRequest& frames, const simulatio
     setup.nearM = frames.showsInterior(false) ? kNearFromInsideM : nearPlaneM(ownship, frames.eye);
     return setup;
 }
+
+constexpr int kSeatStepsPerSecond = 120;
 
 /// The memory of this process that is in use, by Linux's /proc; 0 where that is not there.
 double residentMb()
@@ -61,8 +65,10 @@ PlaySession::PlaySession(const PlayRequest& request, PlayScene play)
 foundation::Result<std::unique_ptr<PlaySession>>
 PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request)
 {
+    // What a person does counts the same steps at every rate of pictures.
     return create(std::move(scenario), std::move(terrain), request,
-                  simulation::FixedClock::forFrameRate(request.frames.perSecond));
+                  request.seat ? simulation::FixedClock(kSeatStepsPerSecond)
+                               : simulation::FixedClock::forFrameRate(request.frames.perSecond));
 }
 
 foundation::Result<std::unique_ptr<PlaySession>> PlaySession::create(simulation::Scenario scenario,
@@ -89,8 +95,9 @@ void PlaySession::beginLog()
     if (!_request.output.motionFile.empty())
     {
         const std::string name = _request.scenario.empty() ? "scenario" : _request.scenario.string();
-        _log.emplace(_request.output.motionFile, _play.player->scenario(), name);
-        _log->add(0.0, _play.player->entities());
+        _log.emplace(_request.output.motionFile, _play.player->scenario(), name,
+                     !_play.player->told().empty());
+        _log->add(0.0, _play.player->entities(), _play.player->told());
     }
 }
 
@@ -186,6 +193,7 @@ std::vector<std::string> PlaySession::notes() const
 /// Null: the player moves it.
 const simulation::ExternalMotion* PlaySession::motionOfOwnship() const
 {
+    if (_play.seat && _play.seat->entity() == _play.ownship().name) return _play.seat->motion().get();
     const auto moved = _request.motions.find(_play.ownship().name);
     return moved == _request.motions.end() ? nullptr : moved->second.get();
 }
@@ -193,7 +201,7 @@ const simulation::ExternalMotion* PlaySession::motionOfOwnship() const
 /// Moves the eye, and the inside of the vehicle with it. `dtS`: since the last picture.
 void PlaySession::look(double dtS)
 {
-    const auto& entities = _play.player->entities();
+    const auto& entities = shown();
     scenery::Pose eye = _eye->update(entities[_play.watched], dtS);
     if (_interior) eye = bent(eye, -_interior->view().lookDownDeg());
     _rig->setEye(eye);
@@ -202,9 +210,14 @@ void PlaySession::look(double dtS)
     _interior->update(_play, *_play.player, entities, motionOfOwnship(), eye, *_rig, MirrorPace::all);
 }
 
+const std::vector<simulation::EntityState>& PlaySession::shown() const
+{
+    return _between.empty() ? _play.player->entities() : _between;
+}
+
 void PlaySession::draw(double dtS)
 {
-    _play.scene->show(*_play.player);
+    _play.scene->show(*_play.player, shown());
     const auto begin = std::chrono::steady_clock::now();
     const double usedMs = measurement::processorMs();
     look(_statistics.empty() ? 0.0 : dtS);
@@ -233,14 +246,32 @@ osg::ref_ptr<osg::Image> PlaySession::picture(double dtS)
     return picture;
 }
 
+/// Makes the steps up to the next picture, and the one that it lies in: then it shows the states between.
+void PlaySession::advance()
+{
+    const std::int64_t perSecond = _request.frames.perSecond;
+    const std::int64_t scaled = ++_frames * _play.player->clock().stepsPerSecond();
+    const std::int64_t due = (scaled + perSecond - 1) / perSecond;
+    std::vector<simulation::EntityState> before;
+    // Recorded inputs end at their step, not at that of a picture.
+    for (; _steps < due && !(_request.seat && isFinished()); ++_steps)
+    {
+        if (scaled % perSecond != 0) before = _play.player->entities();
+        _play.player->step();
+        if (_log) _log->add(_play.player->timeS(), _play.player->entities(), _play.player->told());
+    }
+    _between.clear();
+    if (before.empty()) return;
+    const double share = 1.0 - static_cast<double>(due * perSecond - scaled) / static_cast<double>(perSecond);
+    const std::vector<simulation::EntityState>& now = _play.player->entities();
+    for (std::size_t i = 0; i < now.size(); ++i)
+        _between.push_back(simulation::stateBetween(before[i], now[i], share, _play.player->clock().stepS()));
+}
+
 foundation::Outcome PlaySession::frame()
 {
     draw(1.0 / _request.frames.perSecond);
-    for (auto i = _play.player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
-    {
-        _play.player->step();
-        if (_log) _log->add(_play.player->timeS(), _play.player->entities());
-    }
+    advance();
     if (_sound)
         if (const auto heard = _sound->add(_play.player->entities(), motionOfOwnship()); !heard) return heard;
     for (const auto& capture : _captures)
@@ -291,6 +322,12 @@ foundation::Outcome PlaySession::finish()
         if (const auto written = capture->finish(); !written) return written.error();
     if (_sound)
         if (const auto written = _sound->finish(); !written) return written;
+    if (_request.seat && !_request.seat->recordInputs.empty())
+        if (const auto written = foundation::writeWholeFile(
+                _request.seat->recordInputs,
+                simulation::writeInputs(_play.seat->recorded(_play.player->timeS())));
+            !written)
+            return written;
     return _log ? _log->finish() : foundation::success();
 }
 

@@ -71,6 +71,8 @@ private:
     void tunePatches();
     FrameStatistics measured();
     void look(double dtS);
+    void advance();
+    const std::vector<simulation::EntityState>& shown() const;
     const simulation::ExternalMotion* motionOfOwnship() const;
 
     PlayRequest _request;
@@ -84,6 +86,8 @@ private:
     std::vector<FrameStatistics> _statistics; ///< of the frames drawn so far
     std::uint64_t _uploadedBytes = 0;         ///< to the end of the last frame
     std::string _patchNote;
+    std::int64_t _frames = 0, _steps = 0;          ///< that frame() has made
+    std::vector<simulation::EntityState> _between; ///< for a picture between two steps; else empty
     std::optional<simulation::MotionLog> _log;
     std::unique_ptr<SoundTrack> _sound;   ///< null: not written
     std::unique_ptr<PictureParts> _parts; ///< null: not measured

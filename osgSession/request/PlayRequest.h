@@ -179,6 +179,17 @@ struct WindowRequest
     double pictureS = 0.0;        ///< a test aid: each picture counts as so long; 0: the wall clock
 };
 
+/// A person in an entity of a scenario. Empty paths: none.
+struct SeatRequest
+{
+    /// empty: that of a manual controller, or in a window the watched one
+    std::string entity;
+    bool isTakenAtStart = false;     ///< else when somebody takes over, or the storyboard asks
+    std::filesystem::path vehicle{}; ///< its data file; empty: by the entity's category
+    std::filesystem::path inputs{};  ///< what was recorded, in place of a person's hands
+    std::filesystem::path recordInputs{};
+};
+
 /// The arguments of `trainer play`, `trainer tour` and what pictures show of a vehicle that is flown or
 /// driven.
 struct PlayRequest
@@ -199,6 +210,7 @@ struct PlayRequest
     /// they were told.
     std::map<std::string, std::shared_ptr<simulation::ExternalMotion>> motions{};
     std::shared_ptr<const simulation::RoadScene> roadsUnder{}; ///< as PlayerOptions has them
+    std::optional<SeatRequest> seat{};                         ///< absent: nobody sits anywhere
     double longestS = 3600.0;                                  ///< limit for a scenario that never ends
     std::uint64_t seed = 0;                                    ///< of what the player leaves to chance
     simulation::WithoutRoads without = simulation::WithoutRoads::refused;

@@ -8,13 +8,13 @@
 
 #include "PlayPlaces.h"
 #include "PlayRides.h"
+#include "PlaySeats.h"
 #include "osgSession/src/core/RideScenario.h"
 #include "scene/DriveWay.h"
 #include "scene/RideAir.h"
 #include "scene/SceneTerrain.h"
 #include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/ControlSwitch.h"
-#include "simulation/control/InputTrack.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/driver/ManualDriver.h"
@@ -44,20 +44,6 @@ std::string textOfMetres(double metres)
     char text[32];
     std::snprintf(text, sizeof text, "%.0f m", metres);
     return text;
-}
-
-/// Recorded inputs without a gear leave a car in neutral.
-foundation::Outcome tellInputs(const std::filesystem::path& file)
-{
-    if (file.empty()) return foundation::success();
-    const auto track = simulation::readInputs(file);
-    if (!track) return track.error();
-    const auto has = [&](std::string_view name)
-    { return std::find(track->names.begin(), track->names.end(), name) != track->names.end(); };
-    if (has("throttle") && !has("gear"))
-        std::printf("note: %s has no column gear: the vehicle stays in neutral; add one, with 1 in it\n",
-                    file.string().c_str());
-    return foundation::success();
 }
 
 void tellDrive(const simulation::VehicleMotion& motion)

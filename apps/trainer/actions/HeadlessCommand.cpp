@@ -13,6 +13,7 @@
 
 namespace trainer
 {
+
 foundation::Outcome playHeadless(const HeadlessRequest& request)
 {
     if (const auto writable = foundation::checkWritable(request.logFile); !writable) return writable;
@@ -36,14 +37,15 @@ foundation::Outcome playOut(simulation::ScenarioPlayer& player, const HeadlessRe
 {
     std::optional<simulation::MotionLog> log;
     if (!request.logFile.empty())
-        log.emplace(request.logFile, player.scenario(), request.scenario.filename().string());
+        log.emplace(request.logFile, player.scenario(), request.scenario.filename().string(),
+                    !player.told().empty());
     tellWarnings(player);
     const auto begin = std::chrono::steady_clock::now();
-    if (log) log->add(0.0, player.entities());
+    if (log) log->add(0.0, player.entities(), player.told());
     while (!player.isFinished() && !player.areMotionsDone() && player.timeS() < request.durationS - 1e-9)
     {
         player.step();
-        if (log) log->add(player.timeS(), player.entities());
+        if (log) log->add(player.timeS(), player.entities(), player.told());
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     std::printf("played %.2f s, %.0f times as fast as real time\n", player.timeS(),

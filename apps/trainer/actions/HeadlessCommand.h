@@ -19,6 +19,7 @@ struct HeadlessRequest
 {
     std::filesystem::path scenario;
     double stepS = 0.01;
+    bool hasStep = false;                            ///< one was asked for
     double durationS = 3600.0;                       ///< limit for a scenario that never ends
     std::filesystem::path logFile;                   ///< empty: none
     std::map<std::string, std::string> parameters{}; ///< values instead of the scenario's

@@ -7,6 +7,7 @@
 #include <foundation/WholeFile.h>
 
 #include "PlayPlaces.h"
+#include "PlaySeats.h"
 #include "ScenarioProblems.h"
 #include "SceneTour.h"
 #include "play/PlaySession.h"
@@ -16,6 +17,7 @@
 #include "terminal/Progress.h"
 #include "view/HtmlReport.h"
 #include "view/StatisticsFile.h"
+#include "view/WatchedEntity.h"
 #include "window/WindowSession.h"
 
 namespace trainer
@@ -30,6 +32,14 @@ foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std
     const auto text = simulation::scenarioText(scenario);
     if (!text) return text.error();
     return foundation::writeWholeFile(file, *text);
+}
+
+foundation::Outcome tellInputs(const simulation::Scenario& scenario, const PlayRequest& request)
+{
+    if (!request.seat) return foundation::success();
+    const int entity = scenario.entityIndex(request.seat->entity);
+    const bool drives = entity >= 0 && !scenario.entities[static_cast<std::size_t>(entity)].isAirborne();
+    return drives ? trainer::tellInputs(request.seat->inputs) : foundation::success();
 }
 
 foundation::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
@@ -85,13 +95,36 @@ foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& 
     return foundation::success();
 }
 
+/// The request with the seat that it asks for; in a window somebody may always sit in the watched entity.
+foundation::Result<PlayRequest> withSeat(const simulation::Scenario& scenario, const PlayRequest& asked)
+{
+    PlayRequest request = asked;
+    const SeatRequest seat = asked.seat.value_or(SeatRequest());
+    if (!asked.seat && !asked.window.isWanted) return request;
+    std::string watched;
+    if (asked.window.isWanted && asked.motions.empty())
+        if (const auto entity = watchedEntity(scenario, asked.frames.eyeEntity);
+            entity && *entity < scenario.entities.size())
+            watched = scenario.entities[*entity].name;
+    auto seated = seatFor(scenario, seat, watched);
+    if (!seated) return seated.error();
+    request.seat = std::move(*seated);
+    if (request.seat && request.frames.eyeEntity.empty()) request.frames.eyeEntity = request.seat->entity;
+    return request;
+}
+
 } // namespace
 
-foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
+foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& asked)
 {
+    const auto seated = withSeat(scenario, asked);
+    if (!seated) return seated.error();
+    const PlayRequest& request = *seated;
     if (request.window.isWanted)
     {
-        auto window = WindowSession::create(std::move(scenario), std::move(terrain), request, nullptr, {});
+        auto window =
+            WindowSession::create(std::move(scenario), std::move(terrain), request, nullptr,
+                                  request.seat ? request.seat->recordInputs : std::filesystem::path());
         return window ? (*window)->run() : window.error();
     }
     auto session = PlaySession::create(std::move(scenario), std::move(terrain), request);
@@ -128,6 +161,9 @@ foundation::Outcome play(const PlayRequest& request)
         simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
     if (!parsed) return parsed.error();
     if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
+    const auto seated = withSeat(parsed->scenario, request);
+    if (!seated) return seated.error();
+    if (const auto told = tellInputs(parsed->scenario, *seated); !told) return told;
     auto terrain = openStage(parsed->scenario, request);
     if (!terrain) return terrain.error();
     if (!saysSun(parsed->scenario))
@@ -138,6 +174,31 @@ foundation::Outcome play(const PlayRequest& request)
     const simulation::SceneFrame frame(terrain->origin(), terrain->ground());
     if (const auto laid = tellRecordings(parsed->scenario, {request.scenario, &frame}); !laid) return laid;
     return playOver(std::move(*terrain), std::move(parsed->scenario), request);
+}
+
+foundation::Outcome playSeatHeadless(const PlayRequest& asked, const HeadlessRequest& headless)
+{
+    constexpr int kStepsPerSecond = 120; // as with pictures
+    auto parsed =
+        simulation::readScenario(asked.scenario, {.tolerant = true, .parameters = asked.parameters});
+    if (!parsed) return parsed.error();
+    if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
+    const auto request = withSeat(parsed->scenario, asked);
+    if (!request) return request.error();
+    if (const auto told = tellInputs(parsed->scenario, *request); !told) return told;
+    const auto terrain = openStage(parsed->scenario, *request);
+    if (!terrain) return terrain.error();
+    const simulation::SceneFrame frame(terrain->origin(), terrain->ground());
+    if (const auto laid = tellRecordings(parsed->scenario, {asked.scenario, &frame}); !laid) return laid;
+    addWeather(parsed->scenario, *request);
+    auto options =
+        playerOptionsOf(parsed->scenario, *terrain, *request, simulation::FixedClock(kStepsPerSecond));
+    if (!options) return options.error();
+    const auto seat = seatOf(*options);
+    auto player = simulation::ScenarioPlayer::create(std::move(parsed->scenario), std::move(*options));
+    if (!player) return player.error();
+    if (const auto played = playOut(**player, headless); !played || !seat) return played;
+    return writeRecorded(*seat, request->seat->recordInputs, (*player)->timeS());
 }
 
 foundation::Outcome playScene(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)

@@ -5,6 +5,7 @@
 
 #include <foundation/Result.h>
 
+#include "HeadlessCommand.h"
 #include "request/PlayRequest.h"
 #include "scene/SceneTerrain.h"
 #include "simulation/scenario/Scenario.h"
@@ -14,6 +15,10 @@ namespace trainer
 
 /// Plays request.scenario to its end and writes the frames, statistics and report of request.output.
 foundation::Outcome play(const PlayRequest& request);
+
+/// Plays a scenario with a person in it to its end without pictures, over the ground that pictures have, and
+/// writes the log of `headless` and what the person did. Errors: as play().
+foundation::Outcome playSeatHeadless(const PlayRequest& request, const HeadlessRequest& headless);
 
 /// Plays a scenario that is there already over a terrain, as play() does.
 foundation::Outcome playScene(SceneTerrain terrain, simulation::Scenario scenario,

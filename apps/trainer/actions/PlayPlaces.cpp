@@ -41,6 +41,11 @@ terminal::Places placesOf(const PlayRequest& request)
     places.written = {output.statsFile, output.reportFile, request.sound.file, output.partsFile,
                       output.motionFile};
     places.folders = {{output.captureFolder, "frame_00000.png"}};
+    if (request.seat)
+    {
+        places.written.push_back(request.seat->recordInputs);
+        places.read.push_back(request.seat->inputs);
+    }
     return places;
 }
 

@@ -5,12 +5,15 @@
 
 #include "actions/HeadlessCommand.h"
 #include "actions/PlayCommand.h"
+#include "actions/PlayPlaces.h"
+#include "actions/PlaySeats.h"
 #include "actions/PlayTracks.h"
 #include "actions/PlayVariations.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "simulation/track/ReadTrack.h"
 #include "terminal/CommandLine.h"
+#include "window/OpenWindow.h"
 #include "world/SuffixedFile.h"
 
 namespace trainer
@@ -23,6 +26,7 @@ struct PlayLine
 {
     PlayOptions play;
     bool isHeadless = false, isWithoutRoads = false;
+    SeatRequest seat;
     HeadlessRequest headless;
     VariationRequest variations;
     TrackRequest tracks;
@@ -35,12 +39,52 @@ void addHeadlessOptions(CLI::App& play, PlayLine& line)
         play.add_flag("--headless", line.isHeadless, "play without pictures, terrain and models");
     play.add_option("--fixed_timestep", headless.stepS, "seconds of a step, with --headless")
         ->check(terminal::between(1e-4, 1.0))
-        ->needs(flag);
+        ->needs(flag)
+        ->each([&headless](const std::string&) { headless.hasStep = true; });
     play.add_option("--duration", headless.durationS, "seconds to play at most, with --headless")
         ->check(terminal::between(0.0, 1e5))
         ->needs(flag);
-    play.add_option("--csv_logger", headless.logFile, "file for a row of each step, with --headless")
-        ->needs(flag);
+    play.add_option("--csv_logger", headless.logFile, "file for a row of each step");
+}
+
+void addSeatOptions(CLI::App& play, SeatRequest& seat)
+{
+    play.add_option(
+        "--drive", seat.entity,
+        "vehicle or aircraft of the scenario that a person drives from the start; in a window Tab "
+        "gives it back and takes it over");
+    play.add_option("--vehicle", seat.vehicle,
+                    "data file of what the person drives, instead of one of the entity's category");
+    play.add_option("--inputs", seat.inputs, "inputs file to drive by, in place of a person's hands");
+    play.add_option("--record-inputs", seat.recordInputs, "inputs file to write of what the person does");
+}
+
+/// Completes who sits where; nothing: nobody was asked for. A person without a window has one, unless
+/// something else is written. Errors: a person without hands; what a recording cannot have.
+foundation::Outcome completeSeat(PlayLine& line)
+{
+    PlayRequest& request = line.play.request;
+    SeatRequest& seat = line.seat;
+    const bool isAsked =
+        !seat.entity.empty() || !seat.inputs.empty() || !seat.recordInputs.empty() || !seat.vehicle.empty();
+    request.output.motionFile = line.headless.logFile;
+    if (!isAsked) return foundation::success();
+    seat.isTakenAtStart = !seat.entity.empty();
+    request.seat = seat;
+    if (line.isHeadless && line.headless.hasStep)
+        return foundation::Error{"--fixed_timestep", "a person's play has steps of 1/120 s", "leave it out"};
+    if (line.isHeadless && simulation::isTrackFile(request.scenario))
+        return foundation::Error{"--headless", "a recorded flight has no ground to drive on without pictures",
+                                 "leave it out"};
+    const OutputRequest& output = request.output;
+    const bool drawsPictures = !output.captureFolder.empty() || !output.statsFile.empty() ||
+                               !output.reportFile.empty() || !output.partsFile.empty() ||
+                               !request.sound.file.empty() || !request.frames.viewFile.empty() ||
+                               request.frames.count.has_value();
+    if (!line.isHeadless && !drawsPictures && seat.inputs.empty()) request.window.isWanted = true;
+    if (request.window.isWanted)
+        if (const auto display = checkDisplay(request.window); !display) return display;
+    return checkHands(seat, request.window.isWanted);
 }
 
 void addVariationOptions(CLI::App& play, VariationRequest& request)
@@ -68,6 +112,13 @@ void addTrackOptions(CLI::App& play, TrackRequest& request)
         ->transform(terminal::named(datums));
 }
 
+/// A seat whose recording stands beside those of other variations.
+std::optional<SeatRequest> seatOfVariation(std::optional<SeatRequest> seat, const std::string& suffix)
+{
+    if (seat) seat->recordInputs = withSuffix(seat->recordInputs, suffix);
+    return seat;
+}
+
 /// Plays a recording.
 foundation::Outcome playRecording(const PlayLine& line)
 {
@@ -79,22 +130,24 @@ foundation::Outcome playRecording(const PlayLine& line)
 }
 
 /// Plays a scenario, or the variations of one.
-foundation::Outcome playOne(const PlayLine& line)
+foundation::Outcome playOne(PlayLine& line)
 {
+    if (const auto complete = completeSeat(line); !complete) return complete;
+    if (const auto usable = terminal::checkPlaces(placesOf(line.play.request)); !usable) return usable;
     if (simulation::isTrackFile(line.play.request.scenario)) return playRecording(line);
     const auto without =
         line.isWithoutRoads ? simulation::WithoutRoads::played : simulation::WithoutRoads::refused;
     const auto play = [&](const ScenarioPlay& one)
     {
+        HeadlessRequest headless = line.headless;
         if (line.isHeadless)
         {
-            HeadlessRequest headless = line.headless;
             headless.scenario = one.scenario;
             headless.parameters = one.parameters;
             headless.seed = line.variations.seed.value_or(0);
             headless.logFile = withSuffix(headless.logFile, one.suffix);
             headless.without = without;
-            return playHeadless(headless);
+            if (!line.play.request.seat) return playHeadless(headless);
         }
         PlayRequest request = line.play.request;
         request.scenario = one.scenario;
@@ -105,7 +158,9 @@ foundation::Outcome playOne(const PlayLine& line)
         output.captureFolder = withSuffix(output.captureFolder, one.suffix);
         output.statsFile = withSuffix(output.statsFile, one.suffix);
         output.reportFile = withSuffix(output.reportFile, one.suffix);
-        return trainer::play(request);
+        output.motionFile = withSuffix(output.motionFile, one.suffix);
+        request.seat = seatOfVariation(request.seat, one.suffix);
+        return line.isHeadless ? playSeatHeadless(request, headless) : trainer::play(request);
     };
     return playVariations(line.play.request.scenario, line.variations, play);
 }
@@ -126,6 +181,7 @@ std::vector<Command> addPlay(CLI::App& program)
                       "play a scenario whose LogicFile is not there without roads");
     line->play.addTo(*command);
     addHeadlessOptions(*command, *line);
+    addSeatOptions(*command, line->seat);
     addVariationOptions(*command, line->variations);
     addTrackOptions(*command, line->tracks);
     return {{command, line->play.running([line] { return playOne(*line); })}};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/RunFiles.h"
 
+#include <foundation/WholeFile.h>
+
 #include "world/SuffixedFile.h"
 
 namespace trainer
@@ -24,11 +26,11 @@ void RunFiles::add(const simulation::ScenarioPlayer& player)
 {
     _hasSteps = _hasSteps || player.timeS() > 0.0;
     if (_motionFile.empty()) return;
-    if (!_log) _log.emplace(_motionFile, player.scenario(), _name);
-    _log->add(player.timeS(), player.entities());
+    if (!_log) _log.emplace(_motionFile, player.scenario(), _name, !player.told().empty());
+    _log->add(player.timeS(), player.entities(), player.told());
 }
 
-foundation::Outcome RunFiles::finish(const simulation::VehicleMotion* motion)
+foundation::Outcome RunFiles::finish(const std::optional<simulation::InputTrack>& inputs)
 {
     if (_log)
     {
@@ -36,12 +38,11 @@ foundation::Outcome RunFiles::finish(const simulation::VehicleMotion* motion)
         _log.reset();
         if (!finished) return finished;
     }
-    const auto* const recorder = motion ? motion->vehicle().recorder() : nullptr;
-    if (!recorder || !_hasSteps || _inputsFile.empty()) return foundation::success();
-    return recorder->write(_inputsFile);
+    if (!inputs || inputs->rows.empty() || !_hasSteps || _inputsFile.empty()) return foundation::success();
+    return foundation::writeWholeFile(_inputsFile, simulation::writeInputs(*inputs));
 }
 
-foundation::Outcome RunFiles::next(const simulation::VehicleMotion* motion)
+foundation::Outcome RunFiles::next(const std::optional<simulation::InputTrack>& inputs)
 {
     const bool hadSteps = std::exchange(_hasSteps, false);
     if (!hadSteps)
@@ -50,7 +51,7 @@ foundation::Outcome RunFiles::next(const simulation::VehicleMotion* motion)
         return foundation::success();
     }
     _hasSteps = true;
-    const auto written = finish(motion);
+    const auto written = finish(inputs);
     _hasSteps = false;
     if (!written) return written;
     const std::string suffix = "-" + std::to_string(++_runs);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "request/PlayRequest.h"
-#include "simulation/control/VehicleMotion.h"
+#include "simulation/control/InputTrack.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/record/MotionLog.h"
 
@@ -30,11 +30,12 @@ public:
     /// Takes the state before the first step, and after each.
     void add(const simulation::ScenarioPlayer& player);
 
-    /// Writes what there is. `motion`: null without a vehicle. Errors: a file that cannot be written.
-    foundation::Outcome finish(const simulation::VehicleMotion* motion);
+    /// Writes what there is. `inputs`: what was recorded; nothing: none. Errors: a file that cannot be
+    /// written.
+    foundation::Outcome finish(const std::optional<simulation::InputTrack>& inputs);
 
     /// finish(), and the files step aside for the next run.
-    foundation::Outcome next(const simulation::VehicleMotion* motion);
+    foundation::Outcome next(const std::optional<simulation::InputTrack>& inputs);
 
 private:
     std::filesystem::path _motionFile, _inputsFile;

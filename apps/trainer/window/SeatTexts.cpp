@@ -26,7 +26,8 @@ void SeatTexts::show(TextOverlay& overlay, double wallS, const simulation::RealT
                      const PictureTimes& times, double tolerancePx, std::string_view phase) const
 {
     const bool isTelling = wallS - _toldAtS < kToldS && !_told.empty();
-    overlay.setMessage(isTelling ? _told : !_standing.empty() ? _standing : paceText(pace, phase));
+    const std::string standing = _standing.empty() ? paceText(pace, phase) : _standing;
+    overlay.setMessage(isTelling ? _told : standing.empty() ? _owner : standing);
     if (!overlay.areStatisticsShown()) return;
     char text[300];
     std::snprintf(text, sizeof text,

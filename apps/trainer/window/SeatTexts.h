@@ -25,12 +25,15 @@ public:
     /// Says this whenever there is no message; empty: nothing.
     void setStanding(std::string text) { _standing = std::move(text); }
 
+    /// Says who has the vehicle where there is nothing else to say; empty: nothing.
+    void setOwner(std::string text) { _owner = std::move(text); }
+
     /// `phase`: what whoever controls is about. `tolerancePx`: of the terrain.
     void show(TextOverlay& overlay, double wallS, const simulation::RealTimePace& pace,
               const PictureTimes& times, double tolerancePx, std::string_view phase) const;
 
 private:
-    std::string _told, _standing;
+    std::string _told, _standing, _owner;
     double _toldAtS = -1e9;
 };
 

@@ -57,6 +57,7 @@ void WindowSession::flipInput(std::string_view input)
 
 void WindowSession::handOver()
 {
+    if (_seat) return handOverSeat();
     if (!_ride.controls) return;
     const bool isByHand = !_ride.controls->isByHand();
     if (!_ride.controls->giveToPerson(isByHand)) return tell("there is nobody to give it to");
@@ -82,7 +83,7 @@ void WindowSession::restart(std::size_t place)
     if (!options) return tell(options.error().message());
     auto player = simulation::ScenarioPlayer::create(next.scenario, *options);
     if (!player) return tell(player.error().message());
-    if (const auto kept = _files.next(_ride.motion.get()); !kept)
+    if (const auto kept = _files.next(recordedInputs()); !kept)
     {
         _failed = kept;
         return;
@@ -90,6 +91,9 @@ void WindowSession::restart(std::size_t place)
     _keys->releaseAll();
     _live->restart(std::move(*player));
     _ride = std::move(next);
+    _seat = seatOf(*options);
+    if (_seat) _ride.entity = _seat->entity();
+    followSeat();
     if (_ride.controls && _request.window.byKeys) _ride.controls->watchWishes();
     _request = std::move(request);
     _place = place;

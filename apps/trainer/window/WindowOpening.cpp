@@ -44,6 +44,12 @@ WindowSession::create(simulation::Scenario scenario, SceneTerrain terrain, const
 
 foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerrain terrain)
 {
+    if (!_maker && _request.seat)
+    {
+        const int entity = scenario.entityIndex(_request.seat->entity);
+        const bool flies = entity >= 0 && scenario.entities[static_cast<std::size_t>(entity)].isAirborne();
+        _vehicle = flies ? KeyScope::flight : KeyScope::drive;
+    }
     if (terrain.triangulation) terrain.triangulation->setWaits(false);
     std::vector<WindowEvent> script;
     if (!_request.window.keysFile.empty())
@@ -58,10 +64,11 @@ foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerr
     if (!window) return window.error();
     _window = window->window;
     if (window->drawsOnProcessor) beginCoarse();
-    _loss = std::make_unique<WindowLoss>(*_window, [this] { (void)_files.finish(_ride.motion.get()); });
+    _loss = std::make_unique<WindowLoss>(*_window, [this] { (void)_files.finish(recordedInputs()); });
     _watch = std::make_unique<WindowWatch>(*_window);
     _injected = std::make_unique<InjectedEvents>(_window, std::move(script), _vehicle);
     _ride.scenario = std::move(scenario);
+    _ride.entity = _request.seat ? _request.seat->entity : std::string();
     if (_maker)
     {
         auto ride = _maker->make(_place);
@@ -75,6 +82,8 @@ foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerr
                                   simulation::FixedClock(kSeatStepsPerSecond));
     if (!play) return play.error();
     _play = std::move(*play);
+    _seat = _play.seat;
+    followSeat();
     for (const std::string& note : _play.notes())
         std::cout << "note: " << note << '\n';
     return openPictures();
@@ -100,9 +109,9 @@ foundation::Outcome WindowSession::openPictures()
     _rig = std::make_unique<ChannelRig>(*_viewer, singleChannel(traits.width, traits.height),
                                         std::vector<osg::ref_ptr<osg::GraphicsContext>>{_window});
     _rig->setDrawnSide(rulesOf(_request.frames.quality).drawnSide);
-    if (_ride.motion)
+    if (const simulation::DynamicVehicle* const vehicle = instrumented())
     {
-        _hud = std::make_unique<Hud>(hudLayoutOf(_ride.motion->vehicle().vehicle(), _request.window.units));
+        _hud = std::make_unique<Hud>(hudLayoutOf(*vehicle, _request.window.units));
         _hud->camera()->setGraphicsContext(_window);
         _viewer->addSlave(_hud->camera(), false);
     }

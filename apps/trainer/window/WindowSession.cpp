@@ -27,7 +27,7 @@ double WindowSession::wallS() const
 void WindowSession::injectEvents(double wallS)
 {
     _injected->playScript(wallS);
-    if (!_request.window.byKeys || !_ride.controls) return;
+    if (!_request.window.byKeys || !_ride.controls || _seat) return;
     const double nextS = _request.window.pictureS > 0.0 ? _request.window.pictureS : 1e-3 * _times.lastMs();
     _injected->moveHand(*_ride.controls, _ride.motion->vehicle().vehicle(), nextS);
 }
@@ -57,7 +57,7 @@ void WindowSession::sound()
 {
     if (!_speaker) return;
     if (_live->pace().isPaused()) return _speaker->pause();
-    _speaker->set(_sound->hear(_live->shown(), vehicleOf(_ride.motion.get())));
+    _speaker->set(_sound->hear(_live->shown(), vehicleOf(motionOfOwnship())));
 }
 
 /// Moves the eye, and the inside of the vehicle with it.
@@ -74,7 +74,7 @@ void WindowSession::look(double wallS)
     _rig->setEye(eye);
     _play.follow(eye.positionWorld);
     if (_interior)
-        _interior->update(_play, _live->player(), _live->shown(), _ride.motion.get(), eye, *_rig,
+        _interior->update(_play, _live->player(), _live->shown(), motionOfOwnship(), eye, *_rig,
                           _request.window.pictureS > 0.0 ? MirrorPace::all : MirrorPace::one);
 }
 
@@ -84,6 +84,7 @@ void WindowSession::afterEvents()
     readDevicesNow();
     const bool wasOver = _live->isOver();
     _live->advance(wall);
+    followSeat();
     if (_live->isOver() && !wasOver) tell("the end; BackSpace begins again");
     tellImpacts();
     _viewer->getFrameStamp()->setSimulationTime(_live->pace().timeS());
@@ -91,8 +92,9 @@ void WindowSession::afterEvents()
     look(wall);
     _lastWallS = wall;
     _overlay.showMark(_camera->isMap(), _live->shown()[_play.watched].headingDeg);
-    if (_hud) _hud->show(isHudShown());
-    if (_hud) _hud->setValues(hudValuesOf(_ride.motion->vehicle().vehicle(), _request.window.units));
+    if (_hud) _hud->show(isHudShown() && _ride.motion);
+    if (_hud && _ride.motion)
+        _hud->setValues(hudValuesOf(_ride.motion->vehicle().vehicle(), _request.window.units));
     sound();
     showTexts(wall);
 }
@@ -100,7 +102,7 @@ void WindowSession::afterEvents()
 /// What was hit since the picture before; a vehicle that is no longer sound begins again by a key alone.
 void WindowSession::tellImpacts()
 {
-    if (!_ride.motion) return;
+    if (!_ride.motion) return _texts.setStanding({});
     const simulation::DynamicVehicle& vehicle = _ride.motion->vehicle().vehicle();
     const bool isSound = vehicle.status().condition == simulation::VehicleCondition::sound;
     const std::span<const simulation::Impact> impacts = vehicle.impacts();
@@ -187,7 +189,8 @@ void WindowSession::finishCapture()
 
 foundation::Outcome WindowSession::finish()
 {
-    const auto written = _files.finish(_ride.motion.get());
+    const auto written = _files.finish(recordedInputs());
+    tellSeat();
     finishCapture();
     return _failed ? written : _failed;
 }

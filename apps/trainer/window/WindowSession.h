@@ -84,15 +84,25 @@ private:
     void flipInput(std::string_view input) override;
     void act(KeyAction action, double amount) override;
     void handOver();
+    void handOverSeat();
     void toggleFullscreen();
     bool isHudShown() const;
+    void followSeat();
+    void tellSeat();
+    void tellRefusal();
+    std::optional<simulation::InputTrack> recordedInputs() const;
+    const simulation::VehicleMotion* motionOfOwnship() const;
+    const simulation::DynamicVehicle* instrumented() const;
 
     PlayRequest _request;
     RideMaker* _maker;
     KeyScope _vehicle;
     Ride _ride; ///< without a maker: its scenario alone
     std::size_t _place = 0;
-    std::size_t _impactsTold = 0; ///< of this ride
+    std::size_t _impactsTold = 0;                  ///< of this ride
+    std::shared_ptr<simulation::PersonSeat> _seat; ///< in a scenario; null: a ride, or nobody may sit there
+    bool _hasSat = false;                          ///< somebody has, in this window
+    std::string _refusalTold;                      ///< of the seat
     RunFiles _files;
     std::unique_ptr<WindowLoss> _loss; ///< until all that speaks with the window is gone
     PlayScene _play;
