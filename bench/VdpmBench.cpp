@@ -42,12 +42,15 @@ struct Flight
     std::vector<double> us;
     double triangles = 0.0, changed = 0.0, checks = 0.0;
 
-    void fly(TerrainMesh& mesh, const RoamTile& tile, Path path, double tolerancePx)
+    void fly(TerrainMesh& mesh, const RoamTile& tile, Path path, double tolerancePx, bool inSight = false)
     {
         const BenchmarkFlight flight = BenchmarkFlight::along(path);
         for (int frame = 0; frame < BenchmarkFlight::kFrames; ++frame)
         {
             const viewlod::ViewState view = flight.view(tile.tile, frame);
+            viewlod::Sight sight;
+            if (inSight) sight.add(view, 0.0);
+            mesh.setSight(sight);
             const double start = now();
             const RefineResult result = mesh.refine(view, {.errorTolerancePx = tolerancePx});
             const double took = now() - start;
@@ -99,18 +102,17 @@ void compare(const measurement::RasterCrop& crop, const std::filesystem::path& f
             Flight vdpm, moving, seen, wheel, walk;
             VdpmMesh morphing(tile, forest);
             morphing.setMorphing(true);
-            VdpmMesh inFrustum(tile, forest);
-            inFrustum.setInFrustum(true);
+            VdpmMesh inSight(tile, forest);
             RoamMesh byWheel(tile), byWalk(tile, Driver::walk);
             vdpm.fly(mesh, *tile, path, tolerancePx);
             moving.fly(morphing, *tile, path, tolerancePx);
-            seen.fly(inFrustum, *tile, path, tolerancePx);
+            seen.fly(inSight, *tile, path, tolerancePx, true);
             wheel.fly(byWheel, *tile, path, tolerancePx);
             walk.fly(byWalk, *tile, path, tolerancePx);
             vdpm.print("vdpm");
             moving.print("vdpm morphing");
             std::cout << "      splits done at once: " << morphing.driver().jumps() << '\n';
-            seen.print("vdpm in frustum");
+            seen.print("vdpm in sight");
             wheel.print("roam wheel");
             walk.print("roam walk");
         }

@@ -2,8 +2,13 @@
 // The drivers against brute force, from eye to eye without coherence; and what they do with a slice of time.
 #include <array>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <viewlod/Sight.h>
+
+#include <osgTerrainROAM/core/roam/ActiveInSight.h>
+#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
@@ -39,7 +44,8 @@ viewlod::ViewState anyView(const PlacedTile& tile, Random& random)
 
 /// For every vertex that the bintree could split: whether it is split. Asks the predicate of each, not of its
 /// parents.
-std::vector<char> activeByBruteForce(const RoamTile& tile, const ActiveForEye& active)
+template<class Active>
+std::vector<char> activeByBruteForce(const RoamTile& tile, const Active& active)
 {
     const int side = tile.tile.grid().side();
     std::vector<char> found;
@@ -126,6 +132,120 @@ TEST(DriverSwitch, GoesOnFromAnyOtherDriversMesh)
         const auto view = anyView(tile->tile, random);
         mesh.refine(view, {.errorTolerancePx = 2.0});
         ASSERT_EQ(activeIn(mesh.tree()), activeByBruteForce(*tile, ActiveForEye(view, 2.0))) << i;
+    }
+}
+
+/// From above the tile, in any direction a little down.
+viewlod::ViewState anyTurn(const PlacedTile& tile, Random& random)
+{
+    const glm::dvec3 eye = anyView(tile, random).eyeWorld;
+    const double yaw = 2.0 * glm::pi<double>() * random.unit();
+    return viewlod::ViewState::fromMatrices(
+        glm::lookAt(eye, eye + glm::dvec3(std::cos(yaw), std::sin(yaw), -0.5), glm::dvec3(0, 0, 1)),
+        glm::perspective(glm::radians(40.0), 1.25, 1.0, 1e5), 1280, 1024);
+}
+
+/// Turns on the spot, steps and leaps, with and without morphing of the sight: the mesh depends on the eye
+/// and on what is in sight alone.
+TEST(DriversInSight, AreWhereBruteForceIsAndKeepTheToleranceInTheFrame)
+{
+    for (const bool padded : {false, true})
+    {
+        const auto tile = tileOf(padded, padded);
+        std::vector<RoamMesh> meshes;
+        for (const Driver driver : kDrivers)
+            meshes.emplace_back(tile, driver);
+        RoamMesh around(tile);
+        Random random(31);
+        viewlod::ViewState view = anyTurn(tile->tile, random);
+        std::uint64_t inSight = 0, allAround = 0;
+        for (int i = 0; i < 120; ++i)
+        {
+            const viewlod::ViewState other = anyTurn(tile->tile, random);
+            if (i % 3 == 0) view = other;
+            viewlod::Sight sight; // every tenth is everything
+            if (i % 10 != 9) sight.add(i % 3 == 1 ? other : view, glm::radians(4.0));
+            if (i % 3 == 1) sight.add(view, 0.0); // two cameras
+            const auto expected = activeByBruteForce(*tile, ActiveInSight(view, 2.0, sight));
+            for (std::size_t d = 0; d < meshes.size(); ++d)
+            {
+                meshes[d].setSight(sight);
+                const RefineResult result = meshes[d].refine(view, {.errorTolerancePx = 2.0});
+                ASSERT_EQ(activeIn(meshes[d].tree()), expected) << driverName(kDrivers[d]) << ", eye " << i;
+                EXPECT_EQ(result.errorBoundPx, 2.0);
+            }
+            EXPECT_LE(drawnErrorPx(*tile, meshes[0].drawn(), view), 2.0 + 1e-3) << i;
+            inSight += meshes[0].tree().leafCount();
+            allAround += around.refine(view, {.errorTolerancePx = 2.0}).leaves;
+        }
+        for (const RoamMesh& mesh : meshes)
+            EXPECT_TRUE(mesh.isConforming());
+        EXPECT_LT(3 * inSight, 2 * allAround);
+    }
+}
+
+TEST(DriversInSight, AreCoarseBehindSoThatTheErrorThereIsBeyondTheTolerance)
+{
+    const auto tile = tileOf(false, false);
+    Random random(8);
+    double worstPx = 0.0;
+    for (int i = 0; i < 20; ++i)
+    {
+        viewlod::Sight elsewhere;
+        const viewlod::ViewState view = anyTurn(tile->tile, random);
+        viewlod::ViewState turned = anyTurn(tile->tile, random);
+        turned.frustum = viewlod::Frustum(turned.clipFromWorld);
+        elsewhere.add(turned, 0.0);
+        RoamMesh mesh(tile);
+        mesh.setSight(elsewhere);
+        mesh.refine(view, {.errorTolerancePx = 2.0});
+        worstPx = std::max(worstPx, drawnErrorPx(*tile, mesh.drawn(), view));
+    }
+    EXPECT_GT(worstPx, 20.0);
+}
+
+TEST(DriversInSight, KeepACeilingOfWhatIsSeen)
+{
+    const auto tile = tileOf(false, false);
+    Random random(12);
+    std::vector<RoamMesh> meshes;
+    for (const Driver driver : kDrivers)
+        meshes.emplace_back(tile, driver);
+    int finer = 0;
+    for (int i = 0; i < 60; ++i)
+    {
+        const viewlod::ViewState view = anyTurn(tile->tile, random);
+        viewlod::Sight sight;
+        sight.add(view, 0.0);
+        RoamMesh around(tile);
+        const viewlod::Budget budget{.errorTolerancePx = 0.2, .maxTriangles = 700};
+        const double aroundPx = around.refine(view, budget).tolerancePx;
+        for (RoamMesh& mesh : meshes)
+        {
+            mesh.setSight(sight);
+            const RefineResult result = mesh.refine(view, budget);
+            EXPECT_LE(result.leaves, 700u);
+            EXPECT_LE(result.tolerancePx, 1.02 * aroundPx);
+            finer += result.tolerancePx < 0.7 * aroundPx ? 1 : 0;
+            EXPECT_LE(drawnErrorPx(*tile, mesh.drawn(), view), result.tolerancePx + 1e-3);
+        }
+    }
+    EXPECT_GT(finer, 60) << "of 180";
+}
+
+TEST(QueueDriver, ComputesNothingWhileNothingChanges)
+{
+    const auto tile = tileOf(true, false);
+    RoamMesh queue(tile, Driver::queue), walk(tile, Driver::walk);
+    Random random(3);
+    for (int i = 0; i < 10; ++i)
+    {
+        const auto view = anyView(tile->tile, random);
+        EXPECT_GT(queue.refine(view, {.errorTolerancePx = 2.0}).checks, 0u);
+        EXPECT_EQ(queue.refine(view, {.errorTolerancePx = 2.0}).checks, 0u) << "the queues are kept";
+        walk.refine(view, {.errorTolerancePx = 2.0});
+        EXPECT_GT(walk.refine(view, {.errorTolerancePx = 2.0}).checks, 0u) << "the paper's loop visits all";
+        EXPECT_GT(queue.refine(view, {.errorTolerancePx = 1.9}).checks, 0u) << "another tolerance";
     }
 }
 

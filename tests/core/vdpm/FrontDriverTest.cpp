@@ -194,19 +194,21 @@ TEST_F(HillsFlight, StopsWhenTheSliceEndsAndTellsTheBoundThatHolds)
     EXPECT_EQ(doneSplits(mesh), doneSplits(whole));
 }
 
-TEST_F(HillsFlight, RefinesOnlyWhereTheFrustumIsAndKeepsTheToleranceThere)
+TEST_F(HillsFlight, RefinesOnlyWhatIsInSightAndKeepsTheToleranceThere)
 {
     VdpmMesh all(tile, forest), seen(tile, forest);
-    seen.setInFrustum(true);
     for (int frame = 0; frame < 240; frame += 20)
     {
         const viewlod::ViewState view = BenchmarkFlight::along(Path::turn).view(tile->tile, frame);
+        viewlod::Sight sight;
+        sight.add(view, 0.0);
+        seen.setSight(sight);
         const std::uint32_t triangles = all.refine(view, pixels(1.0)).triangles;
         EXPECT_LT(seen.refine(view, pixels(1.0)).triangles, triangles * 3 / 4);
         EXPECT_LE(testsupport::surfaceError(*tile, seen.drawn(), &view).errorPx, 1.0 + kRoundingPx);
         EXPECT_TRUE(seen.isValid());
         VdpmMesh fresh(tile, forest);
-        fresh.setInFrustum(true);
+        fresh.setSight(sight);
         fresh.refine(view, pixels(1.0));
         EXPECT_EQ(doneSplits(seen), doneSplits(fresh));
     }

@@ -6,6 +6,12 @@
 namespace osgTerrainROAM::core
 {
 
+/// The other drivers ask all bounds anew.
+void RoamMesh::recheck(GridPoint p)
+{
+    if (_driver == Driver::wheel) _wheel.recheck(p);
+}
+
 void RoamMesh::followTile()
 {
     if (!isBehind()) return;
@@ -13,11 +19,12 @@ void RoamMesh::followTile()
     _revision = tile().revision();
     if (patchExponent() > 0) _tree.setBounds(_tree.bounds().remade());
     if (!changes || patchExponent() > 0) _wheel.forget();
+    _queues.recheck();
     if (!changes) return followAll();
     for (const TileChange* change : *changes)
     {
         for (const GridPoint v : change->vertices)
-            _wheel.recheck(v);
+            recheck(v);
         for (const GridRect& rect : change->moved)
         {
             if (_patches)
@@ -36,12 +43,12 @@ void RoamMesh::followMoved(const GridRect& rect)
                         if (v != kNone)
                         {
                             _tree.noteMoved(v);
-                            if (v >= DiamondTree::kCorners) _wheel.recheck(_tree.place(v).point());
+                            if (v >= DiamondTree::kCorners) recheck(_tree.place(v).point());
                             return;
                         }
                         if (!_tree.canSplit(leaf)) return;
                         const GridPoint mid = _tree.middle(leaf);
-                        if (rect.holds(mid.column, mid.row)) _wheel.recheck(mid);
+                        if (rect.holds(mid.column, mid.row)) recheck(mid);
                     });
 }
 

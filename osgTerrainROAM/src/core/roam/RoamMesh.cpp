@@ -3,12 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include <osgTerrainROAM/core/roam/ActiveInSight.h>
 #include <osgTerrainROAM/core/roam/Refinement.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/TriangleCeiling.h>
 #include <osgTerrainROAM/core/roam/WalkDriver.h>
-
-#include "QueueDriver.h"
 
 namespace osgTerrainROAM::core
 {
@@ -36,8 +35,18 @@ RoamMesh::RoamMesh(SplitBounds bounds, Driver driver, LeafPlacement placement)
 
 void RoamMesh::setDriver(Driver driver)
 {
-    if (driver != _driver) _wheel.forget();
+    if (driver != _driver)
+    {
+        _wheel.forget();
+        _queues.forget();
+    }
     _driver = driver;
+}
+
+void RoamMesh::setSight(const viewlod::Sight& sight)
+{
+    _wheel.setSight(sight);
+    _sight = sight;
 }
 
 /// Runs the walk or the wheel once. Returns false when a limit has stopped it.
@@ -46,7 +55,7 @@ bool RoamMesh::run(const viewlod::ViewState& view, double tolerancePx, std::uint
 {
     result.tolerancePx = tolerancePx;
     if (_driver == Driver::wheel) return _wheel.refine(_tree, view, tolerancePx, maxLeaves, slice, result);
-    const ActiveForEye active(view, tolerancePx);
+    const ActiveInSight active(view, tolerancePx, _sight);
     return WalkDriver(_tree, active, maxLeaves, slice, result).refine();
 }
 
@@ -71,9 +80,10 @@ bool RoamMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::B
         const bool isNear = attempt < kMostAttempts && std::abs(wanted - aim) < kNear * aim;
         if (!isNear) attempt = kMostAttempts;
         // The number of leaves falls about as the tolerance rises.
-        tolerancePx = isNear ? std::max(tolerancePx * wanted / aim, targetPx)
-                             : toleranceWithinCeiling(_tree.bounds(), view, budget,
-                                                      _ceilingBound ? tolerancePx : kColdGuess * targetPx);
+        tolerancePx =
+            isNear ? std::max(tolerancePx * wanted / aim, targetPx)
+                   : toleranceWithinCeiling(_tree.bounds(), view, budget,
+                                            _ceilingBound ? tolerancePx : kColdGuess * targetPx, _sight);
     }
 }
 
@@ -117,7 +127,8 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
     const double targetPx = budget.errorTolerancePx;
     if (_driver == Driver::queue)
     {
-        result.sliceBound = !QueueDriver(_tree, view, targetPx, budget.maxTriangles, slice, result).refine();
+        result.sliceBound =
+            !_queues.refine(_tree, view, _sight, targetPx, budget.maxTriangles, slice, result);
     }
     else
     {
@@ -153,6 +164,7 @@ RefineResult RoamMesh::refine(double errorM)
     followTile();
     _tree.stopDisplacing();
     _wheel.forget();
+    _queues.forget();
     _eye.reset();
     RefineResult result;
     viewlod::Slice unlimited({});

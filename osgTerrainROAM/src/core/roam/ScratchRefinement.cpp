@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/core/roam/ActiveInSight.h>
 #include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/PatchShape.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
@@ -12,7 +13,7 @@ namespace
 struct ScratchDescent
 {
     const SplitBounds& bounds;
-    const ActiveForEye active;
+    const ActiveInSight active;
     std::vector<GridTriangle>& leaves;
 
     void visit(const GridTriangle& t, int level)
@@ -31,10 +32,10 @@ struct ScratchDescent
 } // namespace
 
 void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view, double tolerancePx,
-                       std::vector<GridTriangle>& leaves)
+                       std::vector<GridTriangle>& leaves, const viewlod::Sight& sight)
 {
     leaves.clear();
-    ScratchDescent descent{bounds, ActiveForEye(view, tolerancePx), leaves};
+    ScratchDescent descent{bounds, ActiveInSight(view, tolerancePx, sight), leaves};
     for (const GridTriangle& root : rootTriangles(bounds.tile().tile.grid().side()))
         descent.visit(root, 0);
 }

@@ -21,8 +21,9 @@ namespace
 class PrioritySweep
 {
 public:
-    PrioritySweep(const SplitBounds& bounds, const viewlod::ViewState& view, std::size_t limit)
-        : _bounds(bounds), _view(view), _limit(limit)
+    PrioritySweep(const SplitBounds& bounds, const viewlod::ViewState& view, const viewlod::Sight& sight,
+                  std::size_t limit)
+        : _bounds(bounds), _view(view), _sight(sight), _limit(limit)
     {
     }
 
@@ -41,8 +42,10 @@ private:
     void visit(const GridTriangle& t, int level)
     {
         if (level == _bounds.levels()) return;
-        const double priority = priorityPx(_view, _bounds.bound(t.middleOfBase()));
+        const SplitBound bound = _bounds.bound(t.middleOfBase());
+        const double priority = priorityPx(_view, bound);
         if (priority <= _thresholdPx || isFull()) return;
+        if (!_sight.touches(glm::dvec3(bound.centre), bound.radiusM)) return;
         _priorities.push_back(priority);
         const auto children = t.children();
         visit(children[0], level + 1);
@@ -51,6 +54,7 @@ private:
 
     const SplitBounds& _bounds;
     const viewlod::ViewState& _view;
+    const viewlod::Sight& _sight;
     std::size_t _limit;
     double _thresholdPx = 0.0;
     std::vector<double> _priorities;
@@ -59,10 +63,10 @@ private:
 } // namespace
 
 double toleranceWithinCeiling(const SplitBounds& bounds, const viewlod::ViewState& view,
-                              const viewlod::Budget& budget, double guessPx)
+                              const viewlod::Budget& budget, double guessPx, const viewlod::Sight& sight)
 {
     const std::size_t splits = std::max(budget.maxTriangles, 2u) - 2u;
-    PrioritySweep sweep(bounds, view, 4 * splits + 1024);
+    PrioritySweep sweep(bounds, view, sight, 4 * splits + 1024);
     double thresholdPx = std::max(guessPx, budget.errorTolerancePx);
     for (double factor = 0.5;;)
     {

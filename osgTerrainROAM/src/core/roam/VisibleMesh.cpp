@@ -29,7 +29,7 @@ void sortByDistance(Elements&& elements, const glm::dvec3& eye, const CentreOf& 
 
 std::optional<Horizon> RoamMesh::horizon(const glm::dvec3& eye) const
 {
-    if (!_eye || *_eye != eye || !tile().hidingGround.exists) return std::nullopt;
+    if (!_eye || *_eye != eye || !tile().hidingGround.exists || !_sight.isEverything()) return std::nullopt;
     const auto ground = drawnGroundAt(_tree, eye.x, eye.y);
     if (!ground || ground->position.z >= eye.z) return std::nullopt;
     return Horizon::around(tile().tile, tile().hidingGround, eye, _errorPerM, _nearM);

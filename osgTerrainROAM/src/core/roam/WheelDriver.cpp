@@ -34,10 +34,13 @@ constexpr unsigned kindOf(std::uint32_t watch)
 bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
                          std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result)
 {
-    Frame frame{tree, ActiveForEye(view, tolerancePx), view.nearM, maxLeaves, slice, result};
+    Frame frame{tree, ActiveInSight(view, tolerancePx, _sight), view.nearM, maxLeaves, slice, result};
     const double scale = view.guaranteedPixelsPerTangent() / tolerancePx;
     const double travelM = glm::distance(view.eyeWorld, _eye) + std::abs(view.nearM - _nearM);
-    const bool isStill = _knowsTree && travelM == 0.0 && scale == _scale;
+    const bool isStill = _knowsTree && travelM == 0.0 && scale == _scale && !_sightMoved;
+    // Moves the clocks, so that what has no margin is checked.
+    const double turnM = _sight.isEverything() || isStill ? 0.0 : std::numeric_limits<double>::min();
+    _sightMoved = false;
     if (isStill && _mergeCount == 0 && _splits.empty() && _rechecks.empty() && !_wheel.hasDue()) return true;
     _watched = tree.changes().vertices.size();
     _pathM += travelM;
@@ -45,7 +48,7 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
     std::size_t splitsLeft = 0;
     if (_knowsTree)
     {
-        _wheel.advance(travelM, std::abs(scale - _scale));
+        _wheel.advance(travelM + turnM, std::abs(scale - _scale));
         // First the work that the last frame left, so that it does not wait for ever.
         applyScheduled(frame, _mergeCount > 0, _splits.size());
         mergesLeft = _mergeCount > 0;

@@ -39,10 +39,10 @@ VdpmMesh::VdpmMesh(std::shared_ptr<const RoamTile> tile, std::shared_ptr<const B
 {
 }
 
-void VdpmMesh::setInFrustum(bool on)
+void VdpmMesh::setSight(const viewlod::Sight& sight)
 {
-    if (on != _inFrustum) _driver.forget();
-    _inFrustum = on;
+    if (sight.isEverything() != _sight.isEverything()) _driver.forget();
+    _sight = sight;
 }
 
 /// Runs the driver at the lowest tolerance that the ceiling allows, within 1 %. A mesh that was at the
@@ -61,7 +61,7 @@ bool VdpmMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::B
         // Under a ceiling, and in the first frame, vertices jump.
         const bool moves = _isMorphing && _hasRefined && !_ceilingBound && attempt == 0;
         _driver.setMorph(moves ? kMorphFrames : 0, budget.errorTolerancePx);
-        const SplitCriterion criterion(view, tolerancePx, {.inFrustum = _inFrustum});
+        const SplitCriterion criterion(view, tolerancePx, {.sight = _sight});
         const bool finished = _driver.refine(criterion, most, slice, result);
         result.errorBoundPx = _driver.errorBoundPx(criterion);
         if (slice.isSpent() && !finished) return false;
@@ -85,7 +85,7 @@ RefineResult VdpmMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
     RefineResult result;
     viewlod::Slice slice(budget);
     result.sliceBound = !runWithinCeiling(view, budget, slice, result);
-    _driver.moveVertices(SplitCriterion(view, result.tolerancePx, {.inFrustum = _inFrustum}), result);
+    _driver.moveVertices(SplitCriterion(view, result.tolerancePx, {.sight = _sight}), result);
     _ceilingBound = result.tolerancePx > budget.errorTolerancePx * (_isMorphing ? kMorphShare : 1.0);
     _hasRefined = true;
     result.ceilingBound = _ceilingBound && !result.sliceBound;

@@ -12,7 +12,7 @@ enum class Driver
 {
     wheel, ///< checks only vertices that the eye's travel may have changed (WheelDriver.h)
     walk,  ///< visits the whole tree of the last frame (WalkDriver.h)
-    queue, ///< Duchaineau's: two queues by priority, all priorities computed anew in each frame
+    queue, ///< Duchaineau's: two queues by priority, kept from frame to frame (QueueDriver.h)
 };
 
 inline constexpr Driver kDrivers[] = {Driver::wheel, Driver::walk, Driver::queue};

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <viewlod/Budget.h>
+#include <viewlod/Sight.h>
 #include <viewlod/Slice.h>
 #include <viewlod/ViewState.h>
 
@@ -16,6 +17,7 @@
 #include <osgTerrainROAM/core/roam/Horizon.h>
 #include <osgTerrainROAM/core/roam/Morph.h>
 #include <osgTerrainROAM/core/roam/PatchPool.h>
+#include <osgTerrainROAM/core/roam/QueueDriver.h>
 #include <osgTerrainROAM/core/roam/RefineResult.h>
 #include <osgTerrainROAM/core/roam/TerrainMesh.h>
 #include <osgTerrainROAM/core/roam/WheelDriver.h>
@@ -49,10 +51,15 @@ public:
     /// number of leaves, so that they stay within 1 % (or 4) below the ceiling. (TriangleCeiling.h finds τ
     /// anew when it has to change much; the queue driver merges the leaves of least priority.) Patches count
     /// with all their triangles; two triangles are always drawn. A lowered ceiling is met as soon as the time
-    /// slices allow. When the time slice ends, the work stops; the next call continues: the wheel with the
-    /// remaining work, the other drivers from the start. Frame of `view`: the tile's local frame. Cost: see
-    /// the drivers.
+    /// slices allow. When the time slice ends, the work stops; the next call continues: the wheel and the
+    /// queues with the remaining work, the walk from the start. Frame of `view`: the tile's local frame.
+    /// Cost: see the drivers.
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget) override;
+
+    /// Refines only what is in sight from the next refinement for an eye on; errors are bounded there, and no
+    /// horizon is known. The wheel checks all that is active in each frame in which the eye or the sight
+    /// moves.
+    void setSight(const viewlod::Sight& sight) override;
 
     /// Morphing: from the next refinement for an eye, vertices appear and disappear without a jump, and the
     /// error target holds for the drawn surface; the mesh is refined to two thirds of it (Morph). Patches do
@@ -114,7 +121,8 @@ public:
     bool isConforming() const { return _tree.isConforming(); }
     std::size_t memoryBytes() const override
     {
-        return _tree.memoryBytes() + _wheel.memoryBytes() + (_patches ? _patches->memoryBytes() : 0);
+        return _tree.memoryBytes() + _wheel.memoryBytes() + _queues.memoryBytes() +
+               (_patches ? _patches->memoryBytes() : 0);
     }
 
 private:
@@ -124,6 +132,7 @@ private:
                                std::vector<IndexRange>& ranges) const;
     std::uint32_t appendPatches(std::uint32_t region, const viewlod::Frustum& frustum,
                                 std::vector<IndexRange>& ranges) const;
+    void recheck(GridPoint p);
     void followTile();
     void followMoved(const GridRect& rect);
     void followAll();
@@ -137,6 +146,8 @@ private:
     Driver _driver;
     DiamondTree _tree;
     WheelDriver _wheel;
+    QueueDriver _queues;
+    viewlod::Sight _sight;
     std::optional<PatchPool> _patches;
     Morph _morph;
     std::uint64_t _revision = 0;  ///< revision of the tile that the mesh shows

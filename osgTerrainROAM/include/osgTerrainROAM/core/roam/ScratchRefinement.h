@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <viewlod/Sight.h>
+
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 #include <osgTerrainROAM/core/roam/MeshData.h>
 #include <osgTerrainROAM/core/roam/Refinement.h>
@@ -12,12 +14,13 @@
 namespace osgTerrainROAM::core
 {
 
-/// Writes the leaves of the mesh for an eye into `leaves`, top-down and without memory of earlier frames. It
-/// is the reference that every incremental driver must equal, and must be faster than.
+/// Writes the leaves of the mesh for an eye, refined where it is in `sight`, into `leaves`, top-down and
+/// without memory of earlier frames. It is the reference that every incremental driver must equal, and must
+/// be faster than.
 /// Cost: O(leaves). Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (SOAR).
 /// Differs: exact errors.
 void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view, double tolerancePx,
-                       std::vector<GridTriangle>& leaves);
+                       std::vector<GridTriangle>& leaves, const viewlod::Sight& sight = {});
 
 /// Makes the mesh that leaves of the bintree draw: every one that is drawn, or its patch, with vertices of
 /// its own.

@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include <viewlod/Budget.h>
+#include <viewlod/Sight.h>
 #include <viewlod/ViewState.h>
 
 #include <osgTerrainROAM/core/roam/Horizon.h>
@@ -48,6 +49,11 @@ public:
     /// From the next refinement for an eye, detail comes and goes without a jump, and the tolerance holds for
     /// the drawn surface. A method that does not morph ignores it; checkMethod() refuses it before.
     virtual void setMorphing(bool on) = 0;
+
+    /// From the next refinement for an eye, only what is in sight is refined; the tolerance holds there, and
+    /// the rest is as coarse as the mesh allows. A method that refines all around ignores it; checkMethod()
+    /// refuses it before.
+    virtual void setSight(const viewlod::Sight&) {}
 
     /// Whether the tile has been edited since the last refinement.
     virtual bool isBehind() const = 0;

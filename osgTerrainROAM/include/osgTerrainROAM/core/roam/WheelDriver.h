@@ -8,13 +8,14 @@
 
 #include <glm/glm.hpp>
 
+#include <viewlod/Sight.h>
 #include <viewlod/Slice.h>
 #include <viewlod/ViewState.h>
 
+#include <osgTerrainROAM/core/roam/ActiveInSight.h>
 #include <osgTerrainROAM/core/roam/DeferralWheel.h>
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 #include <osgTerrainROAM/core/roam/RefineResult.h>
-#include <osgTerrainROAM/core/roam/Refinement.h>
 
 namespace osgTerrainROAM::core
 {
@@ -36,6 +37,17 @@ public:
     /// Forgets everything, because the tree was changed from outside: the next refinement checks all
     /// vertices.
     void forget() { _knowsTree = false; }
+
+    /// Refines only what is in sight from the next refinement on. The distance that the eye travels says
+    /// nothing about what it sees, so with a sight all that is active for the eye is checked in each frame in
+    /// which eye or sight move.
+    void setSight(const viewlod::Sight& sight)
+    {
+        if (sight == _sight) return;
+        if (sight.isEverything() != _sight.isEverything()) forget();
+        _sight = sight;
+        _sightMoved = true;
+    }
 
     /// Has a vertex, whose bounds or position have changed, checked again in the next refinement.
     void recheck(GridPoint p) { _rechecks.push_back(p); }
@@ -72,7 +84,7 @@ private:
     struct Frame
     {
         DiamondTree& tree;
-        const ActiveForEye active;
+        const ActiveInSight active;
         double nearM;
         std::uint32_t maxLeaves;
         viewlod::Slice& slice;
@@ -102,6 +114,8 @@ private:
     std::vector<GridPoint> _rechecks; ///< points that recheck() was called for
     Backlog _backlog;                 ///< of _splits since it was last empty
     std::size_t _watched = 0;         ///< position in the tree's changes up to which vertices are watched
+    viewlod::Sight _sight;
+    bool _sightMoved = false; ///< since the last refinement
     bool _knowsTree = false;
     glm::dvec3 _eye{0.0};
     double _scale = 0.0, _nearM = 0.0;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
+#include <viewlod/Sight.h>
 #include <viewlod/ViewState.h>
 
 #include <osgTerrainROAM/core/roam/Refinement.h>
@@ -14,10 +16,11 @@ namespace osgTerrainROAM::core
 /// What of a surface is seen besides its distance: splits of what is not seen are not wanted.
 struct SeenPart
 {
-    bool inFrustum = false;                  ///< only what the frustum touches
+    bool inFrustum = false;                  ///< only what the view's frustum touches
+    viewlod::Sight sight{};                  ///< only what is in sight
     VisibleSides sides = VisibleSides::both; ///< only what shows such a side, where the forest has cones
 
-    bool isEverything() const { return !inFrustum && sides == VisibleSides::both; }
+    bool isEverything() const { return !inFrustum && sight.isEverything() && sides == VisibleSides::both; }
 };
 
 /// Decides whether a split is wanted. For an eye: whether its bound on the screen exceeds the tolerance, p >
@@ -29,7 +32,7 @@ class SplitCriterion
 {
 public:
     SplitCriterion(const viewlod::ViewState& view, double tolerancePx, SeenPart seen = {})
-        : _active(view, tolerancePx), _view(view), _tolerancePx(tolerancePx), _seen(seen)
+        : _active(view, tolerancePx), _view(view), _tolerancePx(tolerancePx), _seen(std::move(seen))
     {
     }
 
@@ -73,6 +76,7 @@ private:
         const SplitBound& bound = forest.bounds[split];
         const glm::dvec3 centre(bound.centre);
         if (_seen.inFrustum && _view.frustum.classify(centre, bound.radiusM).outside) return false;
+        if (!_seen.sight.touches(centre, bound.radiusM)) return false;
         return forest.cones.empty() ||
                !isTurnedAway(forest.cones[split], centre, bound.radiusM, _view.eyeWorld, _seen.sides);
     }

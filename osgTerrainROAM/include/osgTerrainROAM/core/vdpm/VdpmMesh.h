@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include <viewlod/Budget.h>
+#include <viewlod/Sight.h>
 #include <viewlod/Slice.h>
 #include <viewlod/ViewState.h>
 
@@ -39,9 +40,8 @@ public:
 
     const RoamTile& tile() const override { return *_tile; }
 
-    /// Refines only what the frustum touches; then every frame checks the whole front. Takes effect with the
-    /// next refinement.
-    void setInFrustum(bool on);
+    /// As TerrainMesh::setSight(); then every frame checks the whole front.
+    void setSight(const viewlod::Sight& sight) override;
 
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget) override;
     RefineResult refine(double errorM) override;
@@ -80,7 +80,7 @@ private:
     std::shared_ptr<const RoamTile> _tile;
     std::shared_ptr<const BoundedForest> _forest;
     FrontDriver _driver;
-    bool _inFrustum = false;
+    viewlod::Sight _sight;
     bool _isMorphing = false;
     bool _hasRefined = false;
     bool _ceilingBound = false; ///< in the last frame
