@@ -27,6 +27,7 @@ struct Request
     bool morphing = false;                                ///< check what is drawn with morphing
     std::optional<osgTerrainROAM::core::Method> method{}; ///< absent: the terrain's own
     int patchExponent = 0;                                ///< 2^k triangles for each leaf
+    std::optional<double> viewMarginDeg{};                ///< absent: the terrain's own
 };
 
 using terminal::Report;

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include <viewlod/Sight.h>
+
 #include <osgTerrainROAM/core/LoadTerrain.h>
 #include <osgTerrainROAM/core/method/PrepareTerrain.h>
 
@@ -23,9 +25,13 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
+/// `viewMarginDeg`: absent where the mesh is refined all around.
 void checkFrame(TerrainMesh& mesh, const viewlod::ViewState& view, const viewlod::Budget& budget,
-                FlightFindings& flight)
+                std::optional<double> viewMarginDeg, FlightFindings& flight)
 {
+    viewlod::Sight sight;
+    if (viewMarginDeg) sight.add(view, glm::radians(*viewMarginDeg));
+    mesh.setSight(sight);
     const RefineResult result = mesh.refine(view, budget);
     flight.add(checkDrawnMesh(mesh.tile(), mesh.drawn(), &view), result, budget);
 }
@@ -80,7 +86,13 @@ foundation::Result<FlightFindings> fly(const Request& request, const std::string
     if (!views) return views.error();
 
     const Method method = request.method.value_or(description->method);
-    const auto prepared = prepareTerrain(*tile, {method, request.patchExponent, request.morphing}, file);
+    const auto marginDeg = request.viewMarginDeg ? request.viewMarginDeg : description->viewMarginDeg;
+    const auto prepared = prepareTerrain(*tile,
+                                         {.method = method,
+                                          .patchExponent = request.patchExponent,
+                                          .morphing = request.morphing,
+                                          .inSight = marginDeg.has_value()},
+                                         file);
     if (!prepared) return prepared.error();
     const std::unique_ptr<TerrainMesh> mesh = (*prepared)->newMesh();
     mesh->setMorphing(request.morphing);
@@ -89,7 +101,8 @@ foundation::Result<FlightFindings> fly(const Request& request, const std::string
     for (const viewlod::ViewState& view : *views)
     {
         checkFrame(*mesh, view,
-                   {.errorTolerancePx = request.tolerancePx, .maxTriangles = request.maxTriangles}, flight);
+                   {.errorTolerancePx = request.tolerancePx, .maxTriangles = request.maxTriangles}, marginDeg,
+                   flight);
         progress.advance();
     }
     return flight;

@@ -49,6 +49,10 @@ int run(int argc, char** argv)
     validate->add_flag("--morph", request.morphing, "check the terrain drawn with morphing");
     validate->add_option("--patch-exponent", request.patchExponent, "2^K triangles for each leaf")
         ->check(CLI::IsMember({0, 2, 4, 6, 8, 10}));
+    validate
+        ->add_option("--view-margin", request.viewMarginDeg,
+                     "refine only what is seen and so many degrees beside it")
+        ->check(terminal::between(0.0, 90.0));
     terraintool::addMtBuild(app, jsonFile, command);
     terraintool::addMtJobs(app, jsonFile, command);
     terraintool::addMtExtract(app, jsonFile, command);

@@ -34,6 +34,7 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     settings.errorTolerancePx = request.errorTolerancePx;
     settings.maxTriangles = request.maxTriangles.value_or(defaultMaxTriangles(settings.method));
     settings.morphing = request.morphing;
+    if (request.viewMarginDeg) settings.viewMarginDeg = request.viewMarginDeg;
     settings.patchExponent = request.patchExponent.value_or(0);
     return terrain.setSettings(settings);
 }

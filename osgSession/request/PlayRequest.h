@@ -87,6 +87,9 @@ struct TerrainRequest
     std::optional<std::uint32_t>
         maxTriangles{};    ///< absent: kDefaultMaxTriangles, or none where the method needs more
     bool morphing = false; ///< vertices move to their new position during several frames
+    /// refines only what is seen and so much beside it; absent: as the
+    std::optional<double> viewMarginDeg{};
+    ///< terrain's file says
     std::optional<int> patchExponent =
         0; ///< 2^k triangles a leaf; absent: measured to be the fastest on this machine
     std::shared_ptr<OpeningClock> opening = std::make_shared<OpeningClock>(); ///< measures how long it takes

@@ -173,6 +173,11 @@ double RoamDrawable::defaultErrorM() const
     return _settings.defaultErrorM.value_or(0.25 * std::max(_tile->tile.field().spacingEastM, 0.01));
 }
 
+foundation::Outcome RoamDrawable::setViewMarginDeg(std::optional<double> degrees)
+{
+    return set(&RoamDrawableSettings::viewMarginDeg, degrees);
+}
+
 void RoamDrawable::followEdits(std::span<const core::GridRect> moved)
 {
     const std::shared_lock lock(_tile->mutex());
@@ -214,6 +219,8 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
     const viewlod::ViewState view = request.target.view;
     if (isParallel(toGlm(*visitor.getProjectionMatrix())))
         request.target.errorM = _settings.errorTolerancePx / view.pixelsPerTangent;
+    else if (_settings.viewMarginDeg)
+        request.target.sight.add(view, glm::radians(*_settings.viewMarginDeg));
 
     const std::optional<unsigned int> contextId = contextIdOf(visitor);
     const ViewGroupTable::Match match = _groups->find(request);

@@ -242,6 +242,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     settings.method = description.method;
     settings.errorTolerancePx = description.errorTolerancePx;
     settings.maxTriangles = description.maxTriangles;
+    settings.viewMarginDeg = description.viewMarginDeg;
     if (const auto set = terrain->setSettings(settings); !set) return set.error();
     if (const auto set = terrain->atmosphere()->setSettings(atmosphereSettings(description)); !set)
         return set.error();

@@ -103,6 +103,21 @@ TEST(TerrainTool, ValidateChecksPatches)
                                                      "9"})[0]["maxErrorPx"]);
 }
 
+TEST(TerrainTool, WhatIsRefinedInSightHoldsTheToleranceInEveryFrame)
+{
+    const Workplace place;
+    for (const char* method : {"roam", "roam-walk", "roam-queue", "vdpm"})
+    {
+        const auto row = rowsOf(
+            place, {"validate", place.hill(), "--frames", "4", "--method", method, "--view-margin", "3"})[0];
+        EXPECT_LE(row["maxErrorPx"], 1.0) << method;
+        EXPECT_EQ(row["tJunctions"], 0) << method;
+    }
+    EXPECT_TRUE(
+        failsWith(runTerrainTool({"validate", place.hill(), "--method", "vipm-locked", "--view-margin", "3"}),
+                  1, "terraintool", {"vipm-locked refines all around"}));
+}
+
 TEST(TerrainTool, TablesAreTheSameTwice)
 {
     const Workplace place;

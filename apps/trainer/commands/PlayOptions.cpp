@@ -228,6 +228,10 @@ void PlayOptions::addTerrainOptions(CLI::App& command)
                     "method of level of detail, instead of the terrain's own: " +
                         osgTerrainROAM::core::methodNames())
         ->transform(terminal::named(osgTerrainROAM::core::methodsByName()));
+    command
+        .add_option("--view-margin", request.terrain.viewMarginDeg,
+                    "refine only what is seen and so many degrees beside it, not all around")
+        ->check(terminal::between(0.0, 90.0));
     command.add_option("--patch-exponent", _patchExponent,
                        "2^K triangles for each leaf, K even from 0 to 10; or 'measure': the fastest on "
                        "this machine");

@@ -175,6 +175,8 @@ constexpr std::array kKeys{
     Key{"error_tolerance",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.errorTolerancePx, e, 1e-3, 1e3); }},
     Key{"max_triangles", assignTriangles},
+    Key{"view_margin",
+        [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.viewMarginDeg, e, 0.0, 90.0); }},
     Key{"aridity", [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.land.aridity, e, 0.0, 1.0); }},
     Key{"tree_line",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.land.treeLineM, e, -kFar, kFar); }},

@@ -76,6 +76,7 @@ void visitFields(auto& settings, Visit& visit)
         visit("patchExponent", settings.patchExponent);
         visit("nearestM", settings.nearestM);
         visit("defaultErrorM", settings.defaultErrorM);
+        visit("viewMarginDeg", settings.viewMarginDeg);
     }
 }
 

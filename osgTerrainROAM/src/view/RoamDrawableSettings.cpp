@@ -14,7 +14,7 @@ namespace osgTerrainROAM
 core::MethodRequest methodRequest(const RoamDrawableSettings& settings)
 {
     return {settings.method, settings.patchExponent, settings.morphing,
-            std::isfinite(settings.maxAdaptTimeUs)};
+            std::isfinite(settings.maxAdaptTimeUs), settings.viewMarginDeg.has_value()};
 }
 
 foundation::Outcome checkSettings(const RoamDrawableSettings& settings, const std::string& owner)
@@ -31,7 +31,8 @@ foundation::Outcome checkSettings(const RoamDrawableSettings& settings, const st
         .within("skirtM", settings.skirtM.value_or(0.0), 0.0)
         .require(isExponent, "patchExponent", "is " + std::to_string(k), "give an even number from 0 to 10")
         .above("nearestM", settings.nearestM, 0.0)
-        .within("defaultErrorM", settings.defaultErrorM.value_or(0.0), 0.0);
+        .within("defaultErrorM", settings.defaultErrorM.value_or(0.0), 0.0)
+        .within("viewMarginDeg", settings.viewMarginDeg.value_or(0.0), 0.0, 90.0);
     if (const foundation::Outcome checked = check.outcome(); !checked) return checked;
     return core::checkMethod(methodRequest(settings), owner);
 }

@@ -29,7 +29,7 @@ bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
 {
     const bool sameKind = _serial != 0 && !_mesh->isBehind() && target.errorM == _target.errorM &&
                           target.isMorphing == _target.isMorphing && target.skirtM == _target.skirtM &&
-                          target.view.eyeWorld == _target.view.eyeWorld &&
+                          target.view.eyeWorld == _target.view.eyeWorld && target.sight == _target.sight &&
                           target.budget.maxTriangles == _target.budget.maxTriangles;
     if (!sameKind || (_frame != frame && _statistics.refine.sliceBound)) return false;
     const double scale = scaleOf(target);
@@ -45,6 +45,7 @@ void ViewGroup::refine(const RefineTarget& target)
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     _mesh->setMorphing(target.isMorphing);
+    _mesh->setSight(target.sight);
     _statistics.refine =
         target.errorM ? _mesh->refine(*target.errorM) : _mesh->refine(target.view, target.budget);
     const auto refined = Clock::now();

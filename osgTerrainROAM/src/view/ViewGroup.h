@@ -12,6 +12,7 @@
 #include <osg/State>
 
 #include <viewlod/Budget.h>
+#include <viewlod/Sight.h>
 #include <viewlod/ViewState.h>
 
 #include <osgTerrainROAM/core/roam/TerrainMesh.h>
@@ -32,6 +33,7 @@ struct RefineTarget
     viewlod::Budget budget;
     bool isMorphing = false;
     std::optional<double> skirtM; ///< no skirt is less deep; absent: there are none
+    viewlod::Sight sight;         ///< what is refined
     std::optional<double> errorM; ///< of a parallel projection: view-independent refinement instead
 };
 

@@ -105,12 +105,17 @@ RefineTarget ViewGroupTable::strictest(const Entry& entry)
 {
     RefineTarget target = entry.members.front().target;
     double scale = 0.0;
+    bool seesAll = false;
+    target.sight = {};
     for (const Member& member : entry.members)
     {
+        seesAll = seesAll || member.target.sight.isEverything();
+        target.sight.add(member.target.sight);
         const viewlod::ViewState& view = member.target.view;
         scale = std::max(scale, view.guaranteedPixelsPerTangent() / member.target.budget.errorTolerancePx);
         target.view.nearM = std::min(target.view.nearM, view.nearM);
     }
+    if (seesAll) target.sight = {};
     target.view.eyeWorld = entry.eye;
     target.view.pixelsPerTangent = scale * target.budget.errorTolerancePx;
     target.view.cornerStretch = 1.0;

@@ -36,7 +36,8 @@ public:
     /// Without `terrain`, find() must not be called.
     explicit ViewGroupTable(core::PreparedPtr terrain);
 
-    /// The group for a request, and the target with the strictest scale among the group's cameras.
+    /// The group for a request, and the target with the strictest scale among the group's cameras and what
+    /// all of them see.
     struct Match
     {
         std::shared_ptr<ViewGroup> group;

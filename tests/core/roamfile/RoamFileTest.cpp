@@ -33,6 +33,7 @@ vertical_datum = ellipsoid
 finest_spacing = 0.5
 error_tolerance = 1.5
 max_triangles = 60000
+view_margin = 7.5
 aridity = 0.4
 tree_line = 1900
 snow_line = 2500
@@ -71,6 +72,7 @@ TEST(RoamFile, HasEveryKey)
     EXPECT_EQ(file->finestSpacingM, 0.5);
     EXPECT_EQ(file->errorTolerancePx, 1.5);
     EXPECT_EQ(file->maxTriangles, 60000u);
+    EXPECT_EQ(file->viewMarginDeg, 7.5);
     EXPECT_EQ(file->land.aridity, 0.4);
     EXPECT_EQ(file->land.water, WaterRule::none);
     EXPECT_EQ(file->land.treeLineM, 1900.0);

@@ -55,8 +55,12 @@ protected:
 TEST_P(SceneFile, StoresTheFileTheSettingsAndTheAtmosphere)
 {
     const auto terrain = opened();
-    const RoamDrawableSettings settings{
-        .errorTolerancePx = 1.0 / 3.0, .maxTriangles = 7777, .morphing = true, .patchExponent = 2};
+    const RoamDrawableSettings settings{.method = osgTerrainROAM::core::Method::roamQueue,
+                                        .errorTolerancePx = 1.0 / 3.0,
+                                        .maxTriangles = 7777,
+                                        .morphing = true,
+                                        .patchExponent = 2,
+                                        .viewMarginDeg = 2.5};
     ASSERT_TRUE(terrain->setSettings(settings));
     osgSky::AtmosphereSettings air = terrain->atmosphere()->settings();
     air.cloudCover = 0.1;

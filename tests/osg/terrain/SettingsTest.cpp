@@ -49,6 +49,8 @@ TEST(RoamDrawableSettings, RefusesWhatIsNoNumberOrOutOfRange)
     expectRefused(good, &S::nearestM, "RoamDrawable.nearestM", {kNaN, kInfinity, 0.0, -1.0});
     expectRefused<S, std::optional<double>>(good, &S::defaultErrorM, "RoamDrawable.defaultErrorM",
                                             {kNaN, kInfinity, -1.0});
+    expectRefused<S, std::optional<double>>(good, &S::viewMarginDeg, "RoamDrawable.viewMarginDeg",
+                                            {kNaN, kInfinity, -1.0, 91.0});
 }
 
 TEST(RoamDrawableSettings, ARefusedValueChangesNothing)
@@ -83,7 +85,8 @@ TEST(RoamDrawableSettings, ACopyHasThemToo)
                                         .skirtM = 4.0,
                                         .patchExponent = 4,
                                         .nearestM = 0.5,
-                                        .defaultErrorM = 2.0};
+                                        .defaultErrorM = 2.0,
+                                        .viewMarginDeg = 5.0};
     ASSERT_TRUE(drawable->setSettings(settings));
     const osg::ref_ptr<RoamDrawable> copy = new RoamDrawable(*drawable);
     EXPECT_EQ(copy->settings(), settings);

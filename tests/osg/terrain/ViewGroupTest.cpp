@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -56,6 +60,37 @@ TEST(ViewGroups, EyesThatOnlyRoundingPartsShareAMeshAndTheEyesOfAHeadDoNot)
         cull(*drawable, *right, 2);
         EXPECT_EQ(drawable->statistics().size(), apartM < 1e-4 ? 1u : 2u) << apartM;
     }
+}
+
+TEST(ViewGroups, InSightAreRefinedForWhatAllTheirCamerasSee)
+{
+    const auto drawable = drawableOfGroups();
+    const auto trianglesAfter = [&](std::initializer_list<const osg::Vec3d*> targets, unsigned int& frame)
+    {
+        std::vector<osg::ref_ptr<osg::Camera>> cameras;
+        for (const osg::Vec3d* target : targets)
+            cameras.push_back(cameraAt(kGroupEye, *target));
+        for (int twice = 0; twice < 2; ++twice, ++frame)
+            for (const auto& camera : cameras)
+                cull(*drawable, *camera, frame);
+        EXPECT_EQ(drawable->statistics().size(), 1u);
+        return drawable->statistics().front().refine.triangles;
+    };
+    unsigned int frame = 1;
+    const auto around = trianglesAfter({&kGroupNorth}, frame);
+    EXPECT_EQ(trianglesAfter({&kWest}, frame), around) << "a turn changes nothing";
+    ASSERT_TRUE(drawable->setViewMarginDeg(2.0));
+    const auto north = trianglesAfter({&kGroupNorth}, frame), west = trianglesAfter({&kWest}, frame),
+               both = trianglesAfter({&kGroupNorth, &kWest}, frame);
+    EXPECT_LT(north, around);
+    EXPECT_LT(west, around);
+    EXPECT_NE(north, west);
+    EXPECT_GT(both, std::max(north, west));
+    EXPECT_LE(both, around);
+    ASSERT_TRUE(drawable->setViewMarginDeg(90.0));
+    EXPECT_EQ(trianglesAfter({&kWest}, frame), around) << "the margin is all around";
+    ASSERT_TRUE(drawable->setViewMarginDeg(std::nullopt));
+    EXPECT_EQ(trianglesAfter({&kWest}, frame), around);
 }
 
 TEST(ViewGroups, IndependentEyesHaveMeshesOfTheirOwn)

@@ -78,6 +78,7 @@ struct RoadsOrigin
 ///   vertical_datum = automatic | egm96 | ellipsoid
 ///   method = NAME                     of level of detail (Method.h)
 ///   error_tolerance = PIXELS          max_triangles = COUNT
+///   view_margin = DEGREES             refines only what is seen and so much beside it; absent: all around
 ///   aridity = 0…1    tree_line = METRES    snow_line = METRES    sea_level = METRES
 ///   water = level | none              level ground and ground below the sea is water, or all ground is land
 ///   sun = AZIMUTH ELEVATION           degrees, below the horizon at night        visibility = METRES
@@ -110,6 +111,7 @@ struct RoamFile
     Method method = Method::roam;
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = std::numeric_limits<std::uint32_t>::max();
+    std::optional<double> viewMarginDeg; ///< absent: refined all around
     LandParameters land;
     std::optional<double> sunAzimuthDeg; ///< both sun angles are present, or neither
     std::optional<double> sunElevationDeg;

@@ -49,6 +49,8 @@ foundation::Outcome checkMethod(const MethodRequest& request, const std::string&
     if (request.limitsTime && !traits.stopsInTime)
         return cannot(request.method, owner, "keeps no limit of time",
                       "set the time for adapting to infinity");
+    if (request.inSight && !traits.refinesInSight)
+        return cannot(request.method, owner, "refines all around", "leave out the margin of the view");
     return foundation::success();
 }
 

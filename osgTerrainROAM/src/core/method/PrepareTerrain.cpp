@@ -17,8 +17,8 @@ namespace
 class PreparedRoam : public PreparedTerrain
 {
 public:
-    explicit PreparedRoam(SplitBounds bounds)
-        : _bounds(std::move(bounds)), _revision(_bounds.tile().revision())
+    PreparedRoam(SplitBounds bounds, Driver driver)
+        : _bounds(std::move(bounds)), _driver(driver), _revision(_bounds.tile().revision())
     {
     }
 
@@ -28,7 +28,7 @@ public:
     {
         // The bounds of patches are those of the time when they were measured.
         const bool isStale = _bounds.patchExponent() > 0 && tile().revision() != _revision;
-        return std::make_unique<RoamMesh>(isStale ? _bounds.remade() : _bounds);
+        return std::make_unique<RoamMesh>(isStale ? _bounds.remade() : _bounds, _driver);
     }
 
     std::uint32_t fewestTriangles() const override { return 2; }
@@ -36,6 +36,7 @@ public:
 
 private:
     SplitBounds _bounds;
+    Driver _driver;
     std::uint64_t _revision;
 };
 
@@ -46,10 +47,19 @@ foundation::Result<PreparedPtr> prepareTerrain(std::shared_ptr<const RoamTile> t
 {
     if (const auto able = checkMethod(request, owner); !able) return able.error();
     if (const auto able = checkMethod(request.method, *tile, owner); !able) return able.error();
+    const auto roamBy = [&](Driver driver)
+    {
+        return PreparedPtr(
+            std::make_shared<PreparedRoam>(SplitBounds(std::move(tile), request.patchExponent), driver));
+    };
     switch (request.method)
     {
     case Method::roam:
         break;
+    case Method::roamWalk:
+        return roamBy(Driver::walk);
+    case Method::roamQueue:
+        return roamBy(Driver::queue);
     case Method::vdpm:
         return prepareVdpm(std::move(tile));
     case Method::regularDecimation:
@@ -59,7 +69,7 @@ foundation::Result<PreparedPtr> prepareTerrain(std::shared_ptr<const RoamTile> t
     case Method::vipmOverlapping:
         return PreparedPtr(std::make_shared<PreparedVipm>(std::move(tile), VipmBorders::overlapping));
     }
-    return PreparedPtr(std::make_shared<PreparedRoam>(SplitBounds(std::move(tile), request.patchExponent)));
+    return roamBy(Driver::wheel);
 }
 
 } // namespace osgTerrainROAM::core

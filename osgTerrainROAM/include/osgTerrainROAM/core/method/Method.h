@@ -24,6 +24,8 @@ enum class Method
     regularDecimation, ///< blocks that drop rows and columns (DecimatedMesh)
     vipmLocked,        ///< blocks of progressive meshes whose borders are never simplified (VipmMesh)
     vipmOverlapping,   ///< blocks of progressive meshes that overlap at their borders (VipmMesh)
+    roamWalk,          ///< roam, adapted by the paper's own loop over the last frame's tree (WalkDriver)
+    roamQueue,         ///< roam, adapted by Duchaineau's two queues (QueueDriver)
 };
 
 /// What a method can do besides following an eye to a tolerance within a ceiling of triangles.
@@ -37,15 +39,19 @@ struct MethodTraits
     bool followsEdits;     ///< meshes follow edits of the tile
     bool hasFineSamples;   ///< takes samples between those of the raster: roads, dense parts
     bool hasHoles;         ///< takes tiles with holes
+    bool refinesInSight;   ///< can leave coarse what cameras do not see
 };
 
 /// In the order of the enumeration.
 inline constexpr std::array kMethods{
-    MethodTraits{Method::roam, "roam", true, true, true, true, true, true},
-    MethodTraits{Method::vdpm, "vdpm", false, true, true, false, false, false},
-    MethodTraits{Method::regularDecimation, "regular-decimation", false, true, false, true, true, false},
-    MethodTraits{Method::vipmLocked, "vipm-locked", false, false, false, true, false, false},
-    MethodTraits{Method::vipmOverlapping, "vipm-overlapping", false, false, false, true, false, false},
+    MethodTraits{Method::roam, "roam", true, true, true, true, true, true, true},
+    MethodTraits{Method::vdpm, "vdpm", false, true, true, false, false, false, true},
+    MethodTraits{Method::regularDecimation, "regular-decimation", false, true, false, true, true, false,
+                 false},
+    MethodTraits{Method::vipmLocked, "vipm-locked", false, false, false, true, false, false, false},
+    MethodTraits{Method::vipmOverlapping, "vipm-overlapping", false, false, false, true, false, false, false},
+    MethodTraits{Method::roamWalk, "roam-walk", true, true, true, true, true, true, true},
+    MethodTraits{Method::roamQueue, "roam-queue", true, true, true, true, true, true, true},
 };
 
 constexpr const MethodTraits& traitsOf(Method method)
@@ -74,6 +80,7 @@ struct MethodRequest
     int patchExponent = 0; ///< 2^k triangles for each leaf
     bool morphing = false;
     bool limitsTime = false;
+    bool inSight = false; ///< what cameras do not see may be coarse
 };
 
 /// Checks that a method can do what is asked of it. Errors name the first thing that it cannot; the place is
