@@ -42,7 +42,7 @@ TEST(CompareProgram, FliesTheComparisonFlightOrAScenario)
         for (const char* heading : {"## Figures", "## Requirements", "## Claims of the paper",
                                     "## Advantages and drawbacks that it lists"})
             EXPECT_NE(tables.find(heading), std::string::npos) << heading;
-        EXPECT_EQ(json["dems"][0]["methods"].size(), kMethods.size() + 5);
+        EXPECT_EQ(json["dems"][0]["methods"].size(), kMethods.size() + 3);
         for (const ordered_json& method : json["dems"][0]["methods"])
         {
             const auto name = method["name"].get<std::string>();

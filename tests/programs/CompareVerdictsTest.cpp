@@ -34,6 +34,7 @@ TEST(CompareVerdicts, TurnsTheVerdictOfEveryQualityByAPlantedFigure)
                                                        [](MethodFigures& m) { m.breaks = 1; },
                                                        [](MethodFigures& m) { m.visiblePercent = 60.0; },
                                                        [](MethodFigures& m) { m.stripLength = 3.0; },
+                                                       [](MethodFigures& m) { m.dualStripLength = 3.0; },
                                                        [](MethodFigures& m) { m.trueErrorPx = 3.0; },
                                                        [](MethodFigures& m)
                                                        { m.triangles = m.name == "vdpm" ? 1200.0 : 300.0; },
@@ -89,30 +90,37 @@ TEST_P(PlantedFigure, TurnsTheVerdictOfItsRequirementAlone)
     DemComparison dem = goodFigures();
     EXPECT_EQ(verdictOf(dem, GetParam().requirement), "met");
     GetParam().bad(dem.methods[0]);
-    for (const char* r : {"R1", "R2", "R3", "R4", "R5", "R6", "R7", "R8"})
+    for (const char* r : {"R1", "R2", "R3", "R4", "R5 strips", "R5 slots", "R5 transforms", "R6", "R7", "R8"})
         EXPECT_EQ(verdictOf(dem, r), r == std::string(GetParam().requirement) ? "not met" : "met") << r;
 }
 
-INSTANTIATE_TEST_SUITE_P(CompareVerdicts, PlantedFigure,
-                         testing::Values(Plant{"R1", [](MethodFigures& m) { m.triangles = 1151.0; }},
-                                         Plant{"R2", [](MethodFigures& m) { m.breaks = 1; }},
-                                         Plant{"R3", [](MethodFigures& m) { m.spikeTriangles = 5000.0; }},
-                                         Plant{"R4", [](MethodFigures& m) { m.adaptUsP99 = 41.0; }},
-                                         Plant{"R5", [](MethodFigures& m) { m.transformsPerTriangle = 1.1; }},
-                                         Plant{"R6", [](MethodFigures& m) { m.popPx = 1.1; }},
-                                         Plant{"R6", [](MethodFigures& m) { m.changedPercent = 6.0; }},
-                                         Plant{"R7", [](MethodFigures& m) { m.ceiling->framesAbove = 1; }},
-                                         Plant{"R7", [](MethodFigures& m) { m.ceiling->leastShare = 0.9; }},
-                                         Plant{"R7", [](MethodFigures& m) { m.ceiling->asked = 900.0; }},
-                                         Plant{"R7", [](MethodFigures& m) { m.ceiling.reset(); }},
-                                         Plant{"R8", [](MethodFigures& m) { m.slices->faults = 1; }},
-                                         Plant{"R8", [](MethodFigures& m) { m.slices.reset(); }}));
+INSTANTIATE_TEST_SUITE_P(
+    CompareVerdicts, PlantedFigure,
+    testing::Values(Plant{"R1", [](MethodFigures& m) { m.triangles = 1151.0; }},
+                    Plant{"R2", [](MethodFigures& m) { m.breaks = 1; }},
+                    Plant{"R3", [](MethodFigures& m) { m.spikeTriangles = 5000.0; }},
+                    Plant{"R4", [](MethodFigures& m) { m.adaptUsP99 = 41.0; }},
+                    Plant{"R5 strips", [](MethodFigures& m) { m.dualStripLength = 9.0; }},
+                    Plant{"R5 slots", [](MethodFigures& m) { m.stripLength = 9.0; }},
+                    Plant{"R5 transforms", [](MethodFigures& m) { m.transformsPerTriangle = 1.1; }},
+                    Plant{"R6", [](MethodFigures& m) { m.popPx = 1.1; }},
+                    Plant{"R6", [](MethodFigures& m) { m.changedPercent = 6.0; }},
+                    Plant{"R7", [](MethodFigures& m) { m.ceiling->framesAbove = 1; }},
+                    Plant{"R7", [](MethodFigures& m) { m.ceiling->leastShare = 0.9; }},
+                    Plant{"R7", [](MethodFigures& m) { m.ceiling->asked = 900.0; }},
+                    Plant{"R7", [](MethodFigures& m) { m.ceiling.reset(); }},
+                    Plant{"R8", [](MethodFigures& m) { m.slices->faults = 1; }},
+                    Plant{"R8", [](MethodFigures& m) { m.slices.reset(); }}));
 
 TEST(CompareVerdicts, TurnsTheVerdictOfAClaimByAPlantedFigure)
 {
     const DemComparison good = goodFigures();
-    const auto verdict = [&](std::size_t claim, const DemComparison& dem) {
-        return claimVerdicts({good, dem})[claim].verdict;
+    const auto verdict = [&](std::size_t claim, const DemComparison& dem)
+    {
+        const std::string alone = claimVerdicts({dem})[claim].verdict,
+                          besideGood = claimVerdicts({good, dem})[claim].verdict;
+        EXPECT_EQ(besideGood, alone == "confirmed" ? alone : "mixed") << claim;
+        return alone;
     };
     for (std::size_t claim = 0; claim < claimVerdicts({}).size(); ++claim)
         EXPECT_EQ(verdict(claim, good), "confirmed") << claim;
@@ -122,9 +130,12 @@ TEST(CompareVerdicts, TurnsTheVerdictOfAClaimByAPlantedFigure)
     restless.methods[1].changedPercent = 5.5;
     lean.methods[2].triangles = 900.0;
     slow.merges.bulkNs = 60.0;
-    slow.reworks[1].adaptUsP50 = 5.0; // enhMerge
+    slow.reworks[2].adaptUsP50 = 5.0; // enhMerge, all around
     DemComparison idle = good, calm = good, lazy = good;
-    idle.reworks[0].adaptUsP50 = 5.0; // wheel
+    idle.reworks[0].adaptUsP50 = 5.0; // wheel, all around
+    DemComparison slowInSight = good, idleInSight = good;
+    slowInSight.reworks[3].adaptUsP50 = 5.0;
+    idleInSight.reworks[1].adaptUsP50 = 5.0;
     for (const std::size_t method : {1, 4, 5, 6, 7})
         calm.methods[method].fit->changePercent = 40.0;
     calm.methods[0].fit->sizePercent = 40.0;
@@ -132,15 +143,21 @@ TEST(CompareVerdicts, TurnsTheVerdictOfAClaimByAPlantedFigure)
     EXPECT_EQ(verdict(0, many), "refuted");
     EXPECT_EQ(verdict(0, few), "refuted") << "far better than the claim is not the claim";
     EXPECT_EQ(verdict(1, restless), "refuted");
-    EXPECT_EQ(verdict(2, lean), "refuted");
+    EXPECT_EQ(verdict(2, lean), "mixed") << "one of four methods";
     lean.methods[5].triangles = 1600.0;
-    EXPECT_EQ(verdict(12, lean), "refuted");
-    for (const std::size_t claim : {3, 4, 5})
+    EXPECT_EQ(verdict(15, lean), "refuted");
+    for (const std::size_t claim : {3, 5, 7})
         EXPECT_EQ(verdict(claim, slow), "refuted") << claim;
-    EXPECT_EQ(verdict(6, idle), "refuted");
-    for (const std::size_t claim : {7, 8, 9, 10, 11, 13})
+    for (const std::size_t claim : {4, 6})
+    {
+        EXPECT_EQ(verdict(claim, slow), "confirmed") << claim;
+        EXPECT_EQ(verdict(claim, slowInSight), "refuted") << claim;
+    }
+    EXPECT_EQ(verdict(8, idleInSight), "refuted");
+    EXPECT_EQ(verdict(9, idle), "refuted");
+    for (const std::size_t claim : {10, 11, 12, 13, 14, 16})
         EXPECT_EQ(verdict(claim, calm), "refuted") << claim;
-    for (const std::size_t claim : {14, 15})
+    for (const std::size_t claim : {17, 18})
         EXPECT_EQ(verdict(claim, lazy), "refuted") << claim;
     DemComparison less = good;
     less.methods.resize(1);

@@ -25,6 +25,7 @@ inline DemComparison goodFigures()
     good.ceiling = CeilingFigures{1000.0, 1000.0, 0, 0.995, 1.0};
     good.slices = SliceFigures{5, 0};
     good.stripLength = 20.0;
+    good.dualStripLength = 30.0;
     good.lightPercent = 1.0;
     good.lightDeg = 2.0;
     good.areaRatio = 64.0;
@@ -55,7 +56,8 @@ inline DemComparison goodFigures()
         "made up", {good, roam, blocks, decimated, vipm, overlapping, walk, queue}, {10.0, 50.0}, {}};
     for (const auto& [way, us] :
          {std::pair{"wheel", 1.0}, {"enhMerge", 2.0}, {"one by one", 3.0}, {"restart", 4.0}})
-        dem.reworks.push_back({"jump", way, us, us, 10.0});
+        for (const bool inSight : {false, true})
+            dem.reworks.push_back({inSight ? "jump, in sight" : "jump", way, inSight, us, us, 10.0});
     return dem;
 }
 

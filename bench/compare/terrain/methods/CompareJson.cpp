@@ -31,6 +31,7 @@ nlohmann::ordered_json jsonOf(const MethodFigures& m)
     row["parts"] = m.parts;
     row["frameMs"] = jsonOf(m.frameMs);
     row["stripLength"] = jsonOf(m.stripLength);
+    row["dualStripLength"] = jsonOf(m.dualStripLength);
     row["lightPercent"] = m.lightPercent;
     row["lightDeg"] = m.lightDeg;
     row["regularPercent"] = m.regularPercent;

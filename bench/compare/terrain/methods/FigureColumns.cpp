@@ -50,7 +50,9 @@ const std::vector<FigureColumn>& figureColumns()
 const std::vector<FigureColumn>& furtherFigureColumns()
 {
     static const std::vector<FigureColumn> all{
-        {"strip, triangles", [](const MethodFigures& m) { return orNone(m.stripLength); }},
+        {"strip of the dual graph, triangles",
+         [](const MethodFigures& m) { return orNone(m.dualStripLength); }},
+        {"strip of slots, triangles", [](const MethodFigures& m) { return orNone(m.stripLength); }},
         {"left by culling, %", [](const MethodFigures& m) { return orNone(m.visiblePercent); }},
         {"normals turned, %", [](const MethodFigures& m) { return figureText(m.lightPercent); }},
         {"largest turn, °", [](const MethodFigures& m) { return figureText(m.lightDeg); }},

@@ -13,10 +13,13 @@ JudgedFigures judgeFigures(const std::vector<double>& figures, HeldRange holds, 
     using measurement::figureText;
     if (figures.empty()) return {"not measured", "no figure"};
     const auto [lowest, highest] = std::minmax_element(figures.begin(), figures.end());
-    const bool isHeld = *lowest >= holds.least && *highest <= holds.most;
+    const auto isHeld = [=](double figure) { return figure >= holds.least && figure <= holds.most; };
+    const std::string verdict = std::all_of(figures.begin(), figures.end(), isHeld)    ? "confirmed"
+                                : std::none_of(figures.begin(), figures.end(), isHeld) ? "refuted"
+                                                                                       : "mixed";
     const std::string range =
         *lowest == *highest ? figureText(*lowest) : figureText(*lowest) + " to " + figureText(*highest);
-    return {isHeld ? "confirmed" : "refuted", range + unit};
+    return {verdict, range + unit};
 }
 
 } // namespace terraintool

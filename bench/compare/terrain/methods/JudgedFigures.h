@@ -19,8 +19,8 @@ struct JudgedFigures
     std::string verdict, figure;
 };
 
-/// Confirms a statement when all its figures lie in the range, else refutes it; without a figure it is not
-/// measured.
+/// Confirms a statement when all its figures lie in the range, and refutes it when none does; where some do
+/// it is mixed, and without a figure not measured.
 /// `unit`: follows the text of the figures.
 JudgedFigures judgeFigures(const std::vector<double>& figures, HeldRange holds, const std::string& unit);
 

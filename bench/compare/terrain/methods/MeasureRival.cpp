@@ -12,6 +12,7 @@
 
 #include <foundation/Threads.h>
 
+#include <osgPMObjects/core/order/TriangleStrips.h>
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/PlanTriangle.h>
 
@@ -42,6 +43,17 @@ double mean(const std::vector<double>& values)
                : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+/// The mean number of triangles of the strips that the dual graph of a mesh makes.
+double dualStripLength(const DrawnMesh& drawn)
+{
+    std::vector<osgPMObjects::core::Triangle> triangles;
+    for (const LeafTriangle& t : drawn.triangles)
+        triangles.push_back({t.vertices[0], t.vertices[1], t.vertices[2]});
+    return static_cast<double>(triangles.size()) /
+           static_cast<double>(
+               std::max<std::size_t>(osgPMObjects::core::dualGraphStrips(triangles).size(), 1));
+}
+
 /// Measures how the last frame's triangles lie, and what they look like in plan.
 void measureShape(const RivalMesh& mesh, const DrawnMesh& drawn, const viewlod::Frustum& frustum,
                   MethodFigures& figures)
@@ -50,6 +62,7 @@ void measureShape(const RivalMesh& mesh, const DrawnMesh& drawn, const viewlod::
     {
         figures.transformsPerTriangle = order->missesBatch32;
         figures.stripLength = order->stripLength;
+        figures.dualStripLength = dualStripLength(drawn);
     }
     const auto count = static_cast<double>(drawn.triangles.size());
     if (const auto visible = mesh.trianglesIn(frustum)) figures.visiblePercent = 100.0 * *visible / count;

@@ -55,7 +55,8 @@ struct MethodFigures
     double adaptUsP50 = 0.0, adaptUsP99 = 0.0, adaptUsMax = 0.0;
     double changedPercent = 0.0; ///< triangles that the frame before did not draw, mean of the frames
     double popPx = 0.0;          ///< largest of the frames
-    std::optional<double> transformsPerTriangle, stripLength;
+    std::optional<double> transformsPerTriangle, stripLength; ///< the strips in the order of the slots
+    std::optional<double> dualStripLength{};                  ///< strips made by the dual graph
     double lightPercent = 0.0; ///< of vertices: normals turned in a frame, mean of the frames (LightChange.h)
     double lightDeg = 0.0;     ///< the largest turn of all frames
     double regularPercent = 0.0; ///< of the triangles: right and isosceles in plan, last frame
@@ -89,6 +90,7 @@ struct MergeFigures
 struct ReworkFigures
 {
     std::string path, way; ///< IncoherentFrames.h
+    bool inSight = false;  ///< refined only what is seen, by position and orientation; else all around
     double adaptUsP50 = 0.0, adaptUsMax = 0.0;
     double changedTriangles = 0.0; ///< split and merged in a frame, mean
 };

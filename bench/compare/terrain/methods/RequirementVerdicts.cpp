@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "compare/terrain/methods/Verdicts.h"
 #include "measurement/HtmlPage.h"
@@ -18,6 +19,7 @@ constexpr double kMostTimesFewest = 1.15;      // R1
 constexpr double kSpikeTrianglesPerLevel = 32; // R3, of log2 of the side
 constexpr double kMostTimesMedian = 4.0;       // R4
 constexpr double kMostTransforms = 1.0;        // R5: what a long strip takes
+constexpr double kLongStrip = 10.0;            // R5, triangles
 constexpr double kMostChangedPercent = 5.0;    // R6: the paper's share
 constexpr double kMostPopPx = 1.0;             // R6
 constexpr double kLeastOfCeiling = 0.99;       // R7
@@ -64,10 +66,19 @@ RequirementVerdict steadyTime(const MethodFigures& m)
             "the 99th percentile is " + figureText(m.adaptUsP99 / m.adaptUsP50) + " times the median"};
 }
 
-RequirementVerdict longStrips(const MethodFigures& m)
+constexpr const char* kNothingShared = "triangles share no vertices";
+
+RequirementVerdict longStrips(const char* name, const MethodFigures& m, const std::optional<double>& length,
+                              const char* made)
 {
-    if (!m.transformsPerTriangle) return {"R5", m.name, "not measured", "triangles share no vertices"};
-    return {"R5", m.name, met(*m.transformsPerTriangle <= kMostTransforms),
+    if (!length) return {name, m.name, "not measured", kNothingShared};
+    return {name, m.name, met(*length >= kLongStrip), figureText(*length) + " triangles a strip, " + made};
+}
+
+RequirementVerdict fewTransforms(const MethodFigures& m)
+{
+    if (!m.transformsPerTriangle) return {"R5 transforms", m.name, "not measured", kNothingShared};
+    return {"R5 transforms", m.name, met(*m.transformsPerTriangle <= kMostTransforms),
             figureText(*m.transformsPerTriangle) + " vertices transformed a triangle"};
 }
 
@@ -113,7 +124,9 @@ std::vector<RequirementVerdict> requirementVerdicts(const DemComparison& dem)
     const double fewest = fewestTriangles(dem);
     for (const MethodFigures& m : dem.methods)
         for (RequirementVerdict verdict :
-             {noRedundancy(m, fewest), noBreaks(m), localFeatures(m), steadyTime(m), longStrips(m),
+             {noRedundancy(m, fewest), noBreaks(m), localFeatures(m), steadyTime(m),
+              longStrips("R5 strips", m, m.dualStripLength, "made by the dual graph"),
+              longStrips("R5 slots", m, m.stripLength, "in the order of the slots"), fewTransforms(m),
               smallChanges(m), knownComplexity(m), alwaysValid(m)})
             verdicts.push_back(std::move(verdict));
     return verdicts;

@@ -6,7 +6,6 @@
 #include <osgTerrainROAM/core/blocks/BlockGrid.h>
 #include <osgTerrainROAM/core/method/PrepareTerrain.h>
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
-#include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
 #include "compare/terrain/drivers/Measured.h"
@@ -94,7 +93,8 @@ foundation::Result<Rival> prepareRival(const MethodTraits& traits,
     if (!prepared) return prepared.error();
     Rival rival;
     rival.name = traits.name;
-    rival.isOfBlocks = traits.method != Method::roam && traits.method != Method::vdpm;
+    rival.isOfBlocks = traits.method == Method::regularDecimation || traits.method == Method::vipmLocked ||
+                       traits.method == Method::vipmOverlapping;
     if (rival.isOfBlocks) rival.parts = BlockGrid(tile->tile.grid()).count();
     rival.fewestTriangles = (*prepared)->fewestTriangles();
     rival.stopsInTime = traits.stopsInTime;
@@ -104,18 +104,6 @@ foundation::Result<Rival> prepareRival(const MethodTraits& traits,
     rival.prepared = *prepared;
     rival.newMesh = [shared = *prepared, morphs = traits.morphs]
     { return std::make_unique<MethodMesh>(shared->newMesh(), morphs); };
-    return rival;
-}
-
-/// ROAM by another driver than that which terrains are drawn with.
-Rival byDriver(Driver driver, const Rival& roam, const std::shared_ptr<const RoamTile>& tile)
-{
-    Rival rival = roam;
-    rival.name = "roam-" + std::string(driverName(driver));
-    rival.drawnBy.reset();
-    rival.prepared = nullptr;
-    rival.newMesh = [bounds = SplitBounds(tile), driver]
-    { return std::make_unique<MethodMesh>(std::make_unique<RoamMesh>(bounds, driver), true); };
     return rival;
 }
 
@@ -132,8 +120,6 @@ foundation::Result<Rivals> prepareRivals(const HeightField& square)
         if (!rival) return rival.error();
         rivals.all.push_back(std::move(*rival));
     }
-    for (const Driver driver : {Driver::walk, Driver::queue})
-        rivals.all.push_back(byDriver(driver, rivals.all.front(), rivals.tile));
     const double forestBegin = processorS();
     rivals.all.push_back(multiTriangulationRival(rivals.tile));
     rivals.all.back().preparationS = processorS() - forestBegin;

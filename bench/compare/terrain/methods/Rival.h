@@ -84,8 +84,8 @@ struct Rival
         failure{}; ///< tells what has kept it from making a mesh; empty: nothing can
 };
 
-/// The terrain and all methods, then ROAM by the paper's own loop ("roam-walk") and by Duchaineau's two
-/// queues ("roam-queue"), split multi-triangulations ("multi-triangulation") and ROAM from scratch
+/// The terrain and all methods, ROAM by the paper's own loop ("roam-walk") and by Duchaineau's two queues
+/// ("roam-queue") among them, then split multi-triangulations ("multi-triangulation") and ROAM from scratch
 /// ("scratch").
 struct Rivals
 {

@@ -15,7 +15,7 @@ struct RequirementVerdict
     std::string requirement, method, verdict, figure;
 };
 
-/// What the figures say of a claim of the paper: "confirmed", "refuted" or "not measured".
+/// What the figures say of a claim of the paper: "confirmed", "mixed", "refuted" or "not measured".
 struct ClaimVerdict
 {
     std::string claim, verdict, figure;
