@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
 #include <osgPMObjects/core/mesh/SurfaceChange.h>
 #include <osgPMObjects/core/order/FaceOrder.h>
+#include <osgPMObjects/core/order/TriangleOrders.h>
+#include <osgPMObjects/core/order/TriangleStrips.h>
 
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
@@ -25,10 +29,31 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
-const std::map<std::string, core::FaceOrder> kFaceOrders{{"file", core::FaceOrder::asTheyAre},
-                                                         {"library", core::FaceOrder::library},
-                                                         {"universal", core::FaceOrder::universal},
-                                                         {"locality", core::FaceOrder::locality}};
+/// Orders of faces: those of a mesh, and Hilbert's.
+enum class Order
+{
+    file,
+    library,
+    universal,
+    locality,
+    hilbert,
+};
+
+const std::map<std::string, Order> kFaceOrders{{"file", Order::file},
+                                               {"library", Order::library},
+                                               {"universal", Order::universal},
+                                               {"locality", Order::locality},
+                                               {"hilbert", Order::hilbert}};
+
+enum class Strips
+{
+    none,
+    sgi,
+    dual,
+};
+
+const std::map<std::string, Strips> kStrips{
+    {"none", Strips::none}, {"sgi", Strips::sgi}, {"dual", Strips::dual}};
 
 const std::map<std::string, core::DiagonalRule> kDiagonals{
     {"colours", core::DiagonalRule::leastColourDifference},
@@ -44,9 +69,36 @@ struct ConsolidateRequest
     core::ConsolidateOptions options;
     std::filesystem::path outputFolder, dumpFolder;
     std::string format = "osgb";
-    core::FaceOrder order = core::FaceOrder::library;
+    Order order = Order::library;
+    Strips strips = Strips::none;
     std::optional<core::DiagonalRule> diagonal; ///< of quads; without it as OpenGL draws them
 };
+
+void orderAsAsked(core::Mesh& mesh, Order order)
+{
+    switch (order)
+    {
+    case Order::file:
+        return;
+    case Order::hilbert:
+        return core::orderFaces(mesh, core::hilbertOrder);
+    case Order::universal:
+        return core::orderFaces(mesh, core::FaceOrder::universal);
+    case Order::locality:
+        return core::orderFaces(mesh, core::FaceOrder::locality);
+    case Order::library:
+        return core::orderFaces(mesh, core::FaceOrder::library);
+    }
+}
+
+/// What makes the strips of a geometry; empty: they are triangles.
+StripMaker stripsAsAsked(Strips strips)
+{
+    if (strips == Strips::none) return {};
+    const auto kind = strips == Strips::sgi ? core::StripKind::sgi : core::StripKind::dualGraph;
+    return [kind](std::span<const core::Triangle> triangles, std::uint32_t vertexCount)
+    { return core::joinStrips(triangles, core::stripsOf(triangles, vertexCount, kind)); };
+}
 
 /// A model, and what was done to its quads before the import.
 struct QuadModel
@@ -106,7 +158,9 @@ foundation::Outcome write(const ConsolidateRequest& request, const std::string& 
                           const core::Mesh& before, const ImportedModel& model)
 {
     if (!request.outputFolder.empty())
-        if (const auto done = writeModel(model, request.outputFolder / (name + '.' + request.format)); !done)
+        if (const auto done = writeModel(model, request.outputFolder / (name + '.' + request.format),
+                                         stripsAsAsked(request.strips));
+            !done)
             return done.error();
     if (request.dumpFolder.empty()) return foundation::success();
     if (const auto done = writePlain(before, request.dumpFolder / (name + ".before.obj")); !done)
@@ -146,7 +200,7 @@ foundation::Result<Json> consolidateFile(const ConsolidateRequest& request, Outp
              {"ms", ms}};
     if (request.diagonal)
         row["quads"] = {{"cut", cut->quads.cut}, {"turned", cut->quads.turned}, {"left", cut->quads.left}};
-    core::orderFaces(mesh, request.order);
+    orderAsAsked(mesh, request.order);
     if (const auto written = write(request, names.nameFor(file), before, model->imported); !written)
         return written.error();
     printReport(file, row, report);
@@ -179,6 +233,12 @@ void addConsolidate(CLI::App& app, Chosen& chosen)
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
     command->add_option("--order", request->order, "order of the faces (library)")
         ->transform(terminal::named(kFaceOrders));
+    command
+        ->add_option(
+            "--strips", request->strips,
+            "sends the triangles of each geometry as one strip: sgi, dual (of the dual graph); or none "
+            "(none)")
+        ->transform(terminal::named(kStrips));
     command->add_option("--dump", request->dumpFolder,
                         "folder for positions and faces before and after, as plain .obj");
     command

@@ -37,7 +37,8 @@ foundation::Outcome makeFolder(const std::filesystem::path& folder)
                              "name another folder"};
 }
 
-foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file)
+foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file,
+                               const osgPMObjects::StripMaker& strip)
 {
     const std::string extension = file.extension().string();
     const osg::ref_ptr<osgDB::ReaderWriter> writer =
@@ -46,7 +47,7 @@ foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const s
     if (!writer)
         return foundation::Error{file.string(), "OpenSceneGraph writes no such format",
                                  "use .osgb, .osgt or .ive"};
-    const osg::ref_ptr<osg::Group> root = osgPMObjects::exportNode(model.mesh, model.states);
+    const osg::ref_ptr<osg::Group> root = osgPMObjects::exportNode(model.mesh, model.states, strip);
     if (model.remainder->getNumChildren() > 0) root->addChild(model.remainder);
     std::ostringstream stream;
     const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=IncludeData");

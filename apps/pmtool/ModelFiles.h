@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include <osgPMObjects/ExportNode>
 #include <osgPMObjects/ImportNode>
 
 namespace pmtool
@@ -27,7 +28,8 @@ foundation::Outcome makeFolder(const std::filesystem::path& folder);
 /// Writes a model, with its textures inside, in a format that OSG writes to a stream, chosen by the extension
 /// (.osgb, .osgt, .ive).
 /// Errors: no such format, the file cannot be written; then nothing is left behind.
-foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file);
+foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file,
+                               const osgPMObjects::StripMaker& strip = {});
 
 /// Writes positions and faces as a Wavefront .obj of `v x y z` and `f a b c` lines: every digit of every
 /// position, the position's number counted from 1, faces in the mesh's order.

@@ -8,6 +8,24 @@
 namespace
 {
 
+/// A grid of 8 × 8 squares in waves.
+std::string gridObj()
+{
+    std::string text;
+    for (int row = 0; row <= 8; ++row)
+        for (int column = 0; column <= 8; ++column)
+            text += "v " + std::to_string(column) + ' ' + std::to_string(row) + ' ' +
+                    std::to_string((row * column) % 3) + '\n';
+    for (int row = 0; row < 8; ++row)
+        for (int column = 0; column < 8; ++column)
+        {
+            const auto at = [&](int c, int r)
+            { return ' ' + std::to_string(9 * (row + r) + column + c + 1); };
+            text += "f" + at(0, 0) + at(1, 0) + at(1, 1) + "\nf" + at(0, 0) + at(1, 1) + at(0, 1) + '\n';
+        }
+    return text;
+}
+
 constexpr const char* kPyramid =
     "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\n"
     "vt 0 0\nvt 1 0\nvt 0.5 1\nusemtl a\nf 1/1 2/2 5/3\nf 2/1 3/2 5/3\nf 3/1 4/2 5/3\n"
@@ -150,6 +168,25 @@ TEST(PmToolFiles, WhatWasLeftOutWhileLoadingIsToldByEveryCommand)
     const std::string line = place.write("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 3\n");
     for (const Words& words : {Words{"simplify", line}, Words{"build", line, "-o", place.path("a.pm")}})
         EXPECT_EQ(pmToolTable(place, words)["models"][0]["import"]["keptDrawables"], 1) << words[0];
+}
+
+TEST(PmToolFiles, StripsAreWrittenAndReadAgainWithAllTriangles)
+{
+    const Workplace place;
+    const std::string model = place.write("grid.obj", gridObj());
+    const auto whole = pmToolTable(place, {"consolidate", model, "--output", place.path("none"), "--format",
+                                           "osgt"})["models"][0]["after"]["triangles"];
+    EXPECT_EQ(whole, 2 * 8 * 8);
+    EXPECT_EQ(readBytes(place.path("none/grid.osgt")).find("TRIANGLE_STRIP"), std::string::npos);
+    for (const char* kind : {"sgi", "dual"})
+    {
+        const std::string folder = place.path(kind);
+        pmToolTable(place, {"consolidate", model, "--output", folder, "--format", "osgt", "--strips", kind,
+                            "--order", "hilbert"});
+        EXPECT_NE(readBytes(folder + "/grid.osgt").find("TRIANGLE_STRIP"), std::string::npos) << kind;
+        const auto again = pmToolTable(place, {"info", folder + "/grid.osgt"})["models"][0];
+        EXPECT_NE(again.dump().find("\"triangles\":" + whole.dump()), std::string::npos) << again.dump();
+    }
 }
 
 } // namespace

@@ -130,6 +130,7 @@ TEST(PmTool, RefusesWhatMakesNoSense)
     const std::string model = place.write("a.obj", kBroken);
     EXPECT_TRUE(failsWith(runPmTool({"consolidate"}), 2, "pmtool", {"MODEL"}));
     EXPECT_TRUE(failsWith(runPmTool({"consolidate", model, "--weld", "nan"}), 2, "pmtool", {"--weld"}));
+    EXPECT_TRUE(failsWith(runPmTool({"consolidate", model, "--strips", "long"}), 2, "pmtool", {"--strips"}));
     EXPECT_TRUE(
         failsWith(runPmTool({"consolidate", model, "--output", model}), 1, "pmtool", {model, "folder"}));
     EXPECT_TRUE(

@@ -57,7 +57,7 @@ public:
         }
     }
 
-    osg::ref_ptr<osg::Geometry> make() const
+    osg::ref_ptr<osg::Geometry> make(const StripMaker& strip) const
     {
         osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
         geometry->setUseDisplayList(false);
@@ -67,8 +67,11 @@ public:
         if (_colours) geometry->setColorArray(overallIfUniform());
         for (unsigned set = 0; set < Mesh::kTexCoordSets; ++set)
             if (_texCoords[set]) geometry->setTexCoordArray(set, _texCoords[set]);
-        geometry->addPrimitiveSet(_vertices->size() <= 65536 ? elements<osg::DrawElementsUShort>()
-                                                             : elements<osg::DrawElementsUInt>());
+        const GLenum mode = strip ? GL_TRIANGLE_STRIP : GL_TRIANGLES;
+        const std::vector<std::uint32_t> sent =
+            strip ? strip(trianglesWithArea(), static_cast<std::uint32_t>(_wedges.size())) : _indices;
+        geometry->addPrimitiveSet(_vertices->size() <= 65536 ? elements<osg::DrawElementsUShort>(mode, sent)
+                                                             : elements<osg::DrawElementsUInt>(mode, sent));
         return geometry;
     }
 
@@ -101,12 +104,22 @@ private:
         return new osg::Vec4Array(osg::Array::BIND_OVERALL, 1, &first);
     }
 
-    template<class Elements>
-    osg::ref_ptr<osg::PrimitiveSet> elements() const
+    std::vector<core::Triangle> trianglesWithArea() const
     {
-        osg::ref_ptr<Elements> elements = new Elements(GL_TRIANGLES);
-        elements->reserve(_indices.size());
-        for (const std::uint32_t index : _indices)
+        std::vector<core::Triangle> triangles;
+        for (std::size_t i = 0; i < _indices.size(); i += 3)
+            if (const core::Triangle t{_indices[i], _indices[i + 1], _indices[i + 2]};
+                !core::repeatsCorner(t))
+                triangles.push_back(t);
+        return triangles;
+    }
+
+    template<class Elements>
+    static osg::ref_ptr<osg::PrimitiveSet> elements(GLenum mode, const std::vector<std::uint32_t>& sent)
+    {
+        osg::ref_ptr<Elements> elements = new Elements(mode);
+        elements->reserve(sent.size());
+        for (const std::uint32_t index : sent)
             elements->push_back(static_cast<typename Elements::value_type>(index));
         return elements;
     }
@@ -134,7 +147,8 @@ facesByGeometry(const Mesh& mesh)
 
 } // namespace
 
-osg::ref_ptr<osg::Group> exportNode(const Mesh& mesh, std::span<const osg::ref_ptr<osg::StateSet>> states)
+osg::ref_ptr<osg::Group> exportNode(const Mesh& mesh, std::span<const osg::ref_ptr<osg::StateSet>> states,
+                                    const StripMaker& strip)
 {
     const glm::dvec3 origin = floatOrigin(mesh.positions);
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -148,7 +162,7 @@ osg::ref_ptr<osg::Group> exportNode(const Mesh& mesh, std::span<const osg::ref_p
         GeometryMaker maker(mesh, material, origin);
         for (const std::uint32_t f : faces)
             maker.add(mesh.faces[f], firstEqual, vertexOfWedge);
-        const osg::ref_ptr<osg::Geometry> geometry = maker.make();
+        const osg::ref_ptr<osg::Geometry> geometry = maker.make(strip);
         geometry->setName(mesh.parts[key.first].name);
         geometry->setStateSet(drawnState(material, states));
         const osg::ref_ptr<osg::Geode> geode = new osg::Geode;

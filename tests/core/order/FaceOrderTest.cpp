@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/order/FaceOrder.h>
+#include <osgPMObjects/core/order/TriangleOrders.h>
 
 #include "OrderMeshes.h"
 
@@ -66,10 +69,14 @@ std::size_t transforms(const Mesh& mesh)
 TEST(FaceOrder, KeepsEachFaceAndWhatItBelongsTo)
 {
     const Mesh before = shuffledGrid();
-    for (const FaceOrder order : {FaceOrder::library, FaceOrder::universal, FaceOrder::locality})
+    const auto by = [](FaceOrder order) { return [order](Mesh& mesh) { orderFaces(mesh, order); }; };
+    const std::vector<std::function<void(Mesh&)>> orders{by(FaceOrder::library), by(FaceOrder::universal),
+                                                         by(FaceOrder::locality),
+                                                         [](Mesh& mesh) { orderFaces(mesh, hilbertOrder); }};
+    for (const auto& order : orders)
     {
         Mesh mesh = before;
-        orderFaces(mesh, order);
+        order(mesh);
         ASSERT_EQ(mesh.faces.size(), before.faces.size());
         const auto sorted = [](std::vector<Face> faces)
         {

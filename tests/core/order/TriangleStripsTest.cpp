@@ -94,6 +94,29 @@ TEST(TriangleStrips, DrawEveryTriangleFromTheSameSide)
     }
 }
 
+TEST(TriangleStrips, JoinedDrawEveryTriangleFromTheSameSideAndOneVertexLessShows)
+{
+    Random random(63);
+    std::vector<IndexedMesh> meshes = {testsupport::gridMesh(30, 20), testsupport::sphereMesh(12, 20)};
+    for (int i = 0; i < 200; ++i)
+        meshes.push_back(testsupport::soup(random, 1 + random.below(60), 3 + random.below(12)));
+    for (IndexedMesh& mesh : meshes)
+    {
+        testsupport::shuffle(mesh, random);
+        for (const StripKind kind : {StripKind::sgi, StripKind::dualGraph})
+        {
+            const TriangleStrips strips = stripsOf(mesh.triangles, mesh.vertexCount(), kind);
+            ASSERT_TRUE(areStrips(strips, TriangleAdjacency(mesh.triangles)));
+            std::vector<std::uint32_t> sent = joinStrips(mesh.triangles, strips);
+            const auto wanted = testsupport::orientedSet(mesh.triangles);
+            ASSERT_EQ(testsupport::orientedSet(decodeStrip(sent)), wanted);
+            sent.erase(sent.begin());
+            EXPECT_NE(testsupport::orientedSet(decodeStrip(sent)), wanted);
+        }
+    }
+    EXPECT_TRUE(joinStrips({}, {}).empty());
+}
+
 TEST(TriangleStrips, OfSgiAlternate)
 {
     Random random(62);

@@ -5,6 +5,7 @@
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
 #include <osgPMObjects/core/mesh/MeshCounts.h>
+#include <osgPMObjects/core/order/TriangleStrips.h>
 
 #include <osgOffscreen/ImageComparison>
 #include <osgPMObjects/ExportNode>
@@ -107,6 +108,44 @@ TEST_P(ModelPictures, StayTheSame)
 }
 
 INSTANTIATE_TEST_SUITE_P(Real, ModelPictures, testing::ValuesIn(kModels), testsupport::AfterFile());
+
+/// Models without anything transparent, whose order does not show.
+constexpr const char* kOpaque[] = {"cad/standingblob.obj", "character/spot.obj", "vehicle/Forklift.ac"};
+
+class StripPictures : public ModelPictures
+{
+protected:
+    static StripMaker stripsBy(core::StripKind kind)
+    {
+        return [kind](std::span<const core::Triangle> triangles, std::uint32_t vertexCount)
+        { return core::joinStrips(triangles, core::stripsOf(triangles, vertexCount, kind)); };
+    }
+};
+
+TEST_P(StripPictures, OfStripsAreThoseOfTriangles)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(file, std::string("models/") + GetParam());
+    const auto node = readModelNode(file);
+    ASSERT_TRUE(node) << node.error().message();
+    auto model = importNode(**node, file.string());
+    ASSERT_TRUE(model) << model.error().message();
+    core::consolidate(model->mesh);
+    const osg::BoundingSphere sphere = (*node)->getBound();
+    const auto triangles = picturesOf(*exportNode(model->mesh, model->states), sphere);
+    for (const core::StripKind kind : {core::StripKind::sgi, core::StripKind::dualGraph})
+        expectSame(triangles, picturesOf(*exportNode(model->mesh, model->states, stripsBy(kind)), sphere),
+                   "strips");
+    core::Mesh less = model->mesh;
+    less.faces.resize(less.faces.size() * 9 / 10);
+    const auto pictures =
+        picturesOf(*exportNode(less, model->states, stripsBy(core::StripKind::sgi)), sphere);
+    bool isSeen = false;
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        isSeen = isSeen || !osgOffscreen::compareImages(*pictures[i], *triangles[i]).within(16, 1);
+    EXPECT_TRUE(isSeen) << "a tenth of the faces is missing";
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, StripPictures, testing::ValuesIn(kOpaque), testsupport::AfterFile());
 
 /// The comparison above can fail: a missing face is found.
 TEST(ModelPicturesMutation, AFaceLessIsSeen)

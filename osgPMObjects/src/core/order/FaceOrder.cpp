@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include <osgPMObjects/core/mesh/EqualWedges.h>
 #include <osgPMObjects/core/order/FaceOrder.h>
 #include <osgPMObjects/core/order/TriangleOrders.h>
@@ -18,7 +20,7 @@ namespace
 struct DrawnTogether
 {
     std::vector<Triangle> triangles;
-    std::uint32_t vertexCount = 0;
+    std::vector<glm::dvec3> positions; ///< by vertex
 };
 
 DrawnTogether numbered(const Mesh& mesh, const std::vector<std::uint32_t>& vertexOfWedge,
@@ -32,25 +34,13 @@ DrawnTogether numbered(const Mesh& mesh, const std::vector<std::uint32_t>& verte
         for (std::size_t corner = 0; corner < 3; ++corner)
         {
             const std::uint32_t vertex = vertexOfWedge[mesh.faces[f].wedges[corner]];
-            const auto [at, isNew] = numbers.try_emplace(vertex, drawn.vertexCount);
-            drawn.vertexCount += isNew ? 1 : 0;
+            const auto [at, isNew] =
+                numbers.try_emplace(vertex, static_cast<std::uint32_t>(drawn.positions.size()));
+            if (isNew) drawn.positions.push_back(mesh.positions[mesh.wedgePositions[vertex]]);
             t[corner] = at->second;
         }
     }
     return drawn;
-}
-
-std::vector<std::uint32_t> ordered(const DrawnTogether& drawn, FaceOrder order)
-{
-    switch (order)
-    {
-    case FaceOrder::universal:
-        return universalOrder(drawn.triangles);
-    case FaceOrder::locality:
-        return localityOrder(drawn.triangles, drawn.vertexCount);
-    default:
-        return libraryOrder(drawn.triangles, drawn.vertexCount);
-    }
 }
 
 } // namespace
@@ -58,6 +48,24 @@ std::vector<std::uint32_t> ordered(const DrawnTogether& drawn, FaceOrder order)
 void orderFaces(Mesh& mesh, FaceOrder order)
 {
     if (order == FaceOrder::asTheyAre) return;
+    orderFaces(mesh,
+               [order](std::span<const Triangle> triangles, std::span<const glm::dvec3> positions)
+               {
+                   const auto vertexCount = static_cast<std::uint32_t>(positions.size());
+                   switch (order)
+                   {
+                   case FaceOrder::universal:
+                       return universalOrder(triangles);
+                   case FaceOrder::locality:
+                       return localityOrder(triangles, vertexCount);
+                   default:
+                       return libraryOrder(triangles, vertexCount);
+                   }
+               });
+}
+
+void orderFaces(Mesh& mesh, const TriangleOrder& order)
+{
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> groups;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         groups[{mesh.faces[f].part, mesh.faces[f].material}].push_back(f);
@@ -65,7 +73,8 @@ void orderFaces(Mesh& mesh, FaceOrder order)
     const std::vector<std::uint32_t> vertexOfWedge = firstEqualWedges(mesh);
     for (const auto& [group, places] : groups)
     {
-        const std::vector<std::uint32_t> sequence = ordered(numbered(mesh, vertexOfWedge, places), order);
+        const DrawnTogether drawn = numbered(mesh, vertexOfWedge, places);
+        const std::vector<std::uint32_t> sequence = order(drawn.triangles, drawn.positions);
         for (std::size_t i = 0; i < places.size(); ++i)
             mesh.faces[places[i]] = before[places[sequence[i]]];
     }

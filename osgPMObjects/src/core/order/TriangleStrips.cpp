@@ -92,6 +92,27 @@ std::vector<std::uint32_t> encodeStrip(std::span<const Triangle> triangles,
     return sent;
 }
 
+std::vector<std::uint32_t> joinStrips(std::span<const Triangle> triangles, const TriangleStrips& strips)
+{
+    std::vector<std::uint32_t> sent;
+    for (std::size_t i = 0; i < strips.size(); ++i)
+    {
+        std::vector<std::uint32_t> strip = encodeStrip(triangles, strips.strip(i));
+        if (sent.empty())
+            sent = std::move(strip);
+        else
+            join(sent, strip);
+    }
+    return sent;
+}
+
+TriangleStrips stripsOf(std::span<const Triangle> triangles, std::uint32_t vertexCount, StripKind kind)
+{
+    constexpr std::uint32_t kCacheSize = 16;
+    const TriangleStrips strips = kind == StripKind::sgi ? sgiStrips(triangles) : dualGraphStrips(triangles);
+    return cacheOrderedStrips(triangles, vertexCount, strips, kCacheSize);
+}
+
 std::vector<Triangle> decodeStrip(std::span<const std::uint32_t> sent)
 {
     std::vector<Triangle> drawn;

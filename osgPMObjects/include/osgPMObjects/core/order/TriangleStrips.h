@@ -39,6 +39,10 @@ std::vector<std::uint32_t> encodeStrip(std::span<const Triangle> triangles,
 /// Returns the triangles that a card draws for a strip, without those of area zero.
 std::vector<Triangle> decodeStrip(std::span<const std::uint32_t> sent);
 
+/// Returns the vertices of all strips as one strip: between two of them some are repeated, which makes
+/// triangles of area zero. decodeStrip() has all triangles again, with their orientation.
+std::vector<std::uint32_t> joinStrips(std::span<const Triangle> triangles, const TriangleStrips& strips);
+
 /// Makes strips by the improved SGI algorithm. It begins at the triangle with the fewest free neighbours (a
 /// tie goes to the one whose neighbours have the fewest), grows the three strips through it in both
 /// directions, keeps the longest, and repeats. Turns alternate.
@@ -59,5 +63,15 @@ TriangleStrips dualGraphStrips(std::span<const Triangle> triangles);
 /// "cache-friendly stripping".
 TriangleStrips cacheOrderedStrips(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                                   const TriangleStrips& strips, std::uint32_t cacheSize);
+
+/// How strips are made.
+enum class StripKind
+{
+    sgi,       ///< sgiStrips()
+    dualGraph, ///< dualGraphStrips()
+};
+
+/// The strips of a kind, in an order that suits a queue of 16 vertices.
+TriangleStrips stripsOf(std::span<const Triangle> triangles, std::uint32_t vertexCount, StripKind kind);
 
 } // namespace osgPMObjects::core
