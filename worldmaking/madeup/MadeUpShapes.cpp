@@ -4,8 +4,8 @@
 #include <string>
 
 #include "worldmaking/madeup/Bridges.h"
-#include "worldmaking/madeup/Contours.h"
 #include "worldmaking/madeup/MadeUpLand.h"
+#include "worldmaking/madeup/OpenLand.h"
 
 namespace worldmaking
 {
@@ -14,7 +14,6 @@ namespace
 {
 
 constexpr double kRiverKm2 = 12.0;
-constexpr double kGrassAboveM = 100.0; ///< the tree line
 
 } // namespace
 
@@ -58,21 +57,13 @@ void MadeUpLand::emitLand()
     if (airfield)
         for (MadeShape& shape : airfield->shapes())
             shapes.push_back(std::move(shape));
-    // All other low ground is grass, up to the trees' line: then no wood is seen where no tree stands.
-    std::vector<float> lows;
-    for (int row = 0; row < _ground.rows(); ++row)
-        for (int column = 0; column < _ground.columns(); ++column)
-        {
-            const double height = _ground.heightAt(column, row);
-            const bool isLow =
-                _ground.hasGround(column, row) && (!_ground.hasSea() || height > GroundGrid::kShoreM);
-            lows.push_back(isLow ? static_cast<float>(_treeLineM + kGrassAboveM - height) : -1.0F);
-        }
     if (_settings.aridity > 0.5) return; // the desert's own ground
-    const double cell = _ground.cellM();
-    const MapBox box{_ground.box().low - 0.5 * cell, _ground.box().high + 0.5 * cell};
-    for (PlanRings& area : areasAbove(lows, _ground.columns(), box, cell, 0.0, 1e5))
-        shapes.push_back(areaShape(std::move(area), {{"natural", "grassland"}}));
+    // All other low ground is grass, up to where it is bare: then no wood is seen where no tree stands.
+    const OpenLand open = openLandOn(_ground, _treeLineM, _settings.seed);
+    for (const PlanRings& area : open.grass)
+        shapes.push_back(areaShape(area, {{"natural", "grassland"}}));
+    for (const PlanRings& area : open.rock)
+        shapes.push_back(areaShape(area, {{"natural", "bare_rock"}}));
 }
 
 } // namespace worldmaking

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of which maps are made up, each by the smallest example.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@
 #include "worldmaking/madeup/Bridges.h"
 #include "worldmaking/madeup/Contours.h"
 #include "worldmaking/madeup/Lakes.h"
+#include "worldmaking/madeup/OpenLand.h"
 #include "worldmaking/madeup/Parcels.h"
 #include "worldmaking/madeup/Plots.h"
 #include "worldmaking/madeup/RoadPlan.h"
@@ -140,6 +142,63 @@ TEST(Airfield, LiesOnTheLevelAndNotOnAHill)
     EXPECT_LT(std::max(field->from.x, field->to.x), 250.0);
     EXPECT_FALSE(
         airfieldOn(gridOf([](const glm::dvec2& p) { return 0.2 * p.x + 40.0 * std::sin(p.y / 100.0); })));
+}
+
+/// A long slope of a half to the east, cut by gullies of 30 m, with a cliff across it.
+double slopeWithCliff(const glm::dvec2& p)
+{
+    const double cliff = p.y > 1500.0 ? std::clamp(1.6 * (p.x + 400.0), 0.0, 400.0) : 0.0;
+    return 800.0 + 0.25 * p.x + cliff +
+           15.0 * std::sin(p.y / 60.0) * std::clamp((p.x + 3000.0) / 1000.0, 0.0, 1.0);
+}
+
+/// The standard deviation of the heights along outlines, away from the border of the box.
+double spreadM(const std::vector<PlanRings>& areas)
+{
+    double sum = 0.0, squares = 0.0, count = 0.0;
+    for (const PlanRings& rings : areas)
+        for (const auto& ring : rings)
+            for (const glm::dvec2& at : ring)
+            {
+                if (std::max(std::abs(at.x), std::abs(at.y)) > 2900.0 || at.y > 1300.0) continue;
+                const double height = slopeWithCliff(at);
+                sum += height, squares += height * height, count += 1.0;
+            }
+    EXPECT_GT(count, 100.0);
+    return std::sqrt(std::max(squares / count - sum * sum / (count * count), 0.0));
+}
+
+TEST(OpenLand, GrassEndsAtNoContour)
+{
+    const GroundGrid grid = gridOf(slopeWithCliff);
+    constexpr double kTreeLineM = 700.0;
+    EXPECT_GT(spreadM(openLandOn(grid, kTreeLineM, 1).grass), 50.0);
+    // The mutation: grass up to a height.
+    std::vector<float> below;
+    for (int row = 0; row < grid.rows(); ++row)
+        for (int column = 0; column < grid.columns(); ++column)
+            below.push_back(static_cast<float>(kTreeLineM + 100.0 - grid.heightAt(column, row)));
+    EXPECT_LT(spreadM(areasAbove(below, grid.columns(), kBox, grid.cellM(), 0.0, 1e5)), 10.0);
+}
+
+TEST(OpenLand, CliffsAreRockAndMeadowsAreGrass)
+{
+    const GroundGrid grid = gridOf(slopeWithCliff);
+    const OpenLand open = openLandOn(grid, 1200.0, 1); // all of it lies below the line
+    const auto share = [](const std::vector<PlanRings>& areas, double lowX, double highX, double lowY)
+    {
+        int within = 0, all = 0;
+        for (double y = lowY; y < lowY + 1200.0; y += 40.0)
+            for (double x = lowX; x < highX; x += 20.0, ++all)
+                within += std::any_of(areas.begin(), areas.end(),
+                                      [&](const PlanRings& area)
+                                      { return scenery::isWithin(area, glm::dvec2(x, y)); });
+        return static_cast<double>(within) / all;
+    };
+    EXPECT_GT(share(open.rock, -380.0, -180.0, 1600.0), 0.9);
+    EXPECT_LT(share(open.grass, -380.0, -180.0, 1600.0), 0.1);
+    EXPECT_GT(share(open.grass, -2500.0, -1500.0, -2000.0), 0.9);
+    EXPECT_LT(share(open.rock, -2500.0, -1500.0, -2000.0), 0.05);
 }
 
 TEST(Lakes, HaveALevelShore)
