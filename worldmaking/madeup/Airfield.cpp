@@ -124,6 +124,16 @@ MadeShapes Airfield::shapes() const
                                                                               {"height", "17"},
                                                                               {"building:levels", "5"},
                                                                               {"roof:shape", "flat"}}));
+    shapes.push_back(
+        areaShape(rectangleOf(at(0.325, 171.0), way, 16.0, 14.0),
+                  {{"building", "fire_station"}, {"building:levels", "2"}, {"roof:shape", "flat"}}));
+    for (const double aheadM : {-4.0, 4.0}) // fuel
+        shapes.push_back(pointShape(at(0.50, 166.0) + aheadM * way, {{"man_made", "silo"}, {"height", "6"}}));
+    for (const double share : {0.335, 0.39, 0.445}) // floods, behind the apron's edge
+        shapes.push_back(pointShape(at(share, 163.0), {{"man_made", "mast"}, {"height", "14"}}));
+    PlanRings around = ground();
+    around.front().push_back(around.front().front());
+    shapes.push_back(lineShape(std::move(around.front()), {{"barrier", "fence"}, {"height", "2"}}));
     shapes.push_back(pointShape(at(0.12, 55.0), {{"aeroway", "windsock"}}));
     return shapes;
 }
