@@ -191,6 +191,9 @@ nlohmann::ordered_json rowOf(const worldmaking::StructureReport& report)
             {"turbines", report.turbines},
             {"windsocks", report.windsocks},
             {"footbridges", report.footbridges},
+            {"streetLamps", report.streetLamps},
+            {"litStreets", report.litStreets},
+            {"unlitStreets", report.unlitStreets},
             {"cut", report.cut},
             {"beyondGround", report.beyondGround}};
 }

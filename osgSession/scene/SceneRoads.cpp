@@ -136,10 +136,10 @@ void addMap(const MapScenery& map, SceneTerrain& scene)
 }
 
 /// Adds the lamps of settlements.
-void addLamps(const MapScenery& map, SceneTerrain& scene)
+void addLamps(const MapScenery& map, const scenery::MappedLamps& mapped, SceneTerrain& scene)
 {
-    scene.settlements =
-        settlementLights(map, scene.roads.get(), ground::groundOf(scene.terrain->tile()->tile).heights());
+    scene.settlements = settlementLights(map, mapped, scene.roads.get(),
+                                         ground::groundOf(scene.terrain->tile()->tile).heights());
     if (!scene.settlements) return;
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
@@ -183,7 +183,7 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     scene.obstacles = std::make_shared<const simulation::ObstacleMap>(std::move(obstacles));
     if (roads.placed) addRoads(std::move(**parts.roads), roads, scene);
     addMap(**parts.map, scene);
-    addLamps(**parts.map, scene);
+    addLamps(**parts.map, (*parts.structures)->lamps, scene);
     if (const auto added = addStructures(**parts.structures, **parts.airfields, scene); !added)
         return added.error();
     opening.end("what stands on it");

@@ -26,12 +26,16 @@ namespace trainer
 namespace
 {
 
+template<class Tags>
+bool isKind(const Tags& tags, const char* key, const char* value)
+{
+    const auto found = tags.find(key);
+    return found != tags.end() && found->second == value;
+}
+
 bool isWindsock(const osgTerrainROAM::core::MapShape& shape)
 {
-    for (const char* key : {"kind", "aeroway"})
-        if (const auto found = shape.tags.find(key); found != shape.tags.end() && found->second == "windsock")
-            return true;
-    return false;
+    return isKind(shape.tags, "kind", "windsock") || isKind(shape.tags, "aeroway", "windsock");
 }
 
 void add(const osgTerrainROAM::core::ShapeSet& shapes, const osgTerrainROAM::core::PlacedTile& tile,
@@ -49,10 +53,16 @@ void add(const osgTerrainROAM::core::ShapeSet& shapes, const osgTerrainROAM::cor
             ++standing.unused;
     };
     for (const auto& line : shapes.linear)
-        take(line.points, line.tags, line.id);
+        if (isKind(line.tags, "kind", "street"))
+            (isKind(line.tags, "lit", "yes") ? standing.lamps.lit : standing.lamps.unlit)
+                .push_back(line.points);
+        else
+            take(line.points, line.tags, line.id);
     for (const auto& shape : shapes.shapes)
         if (!shape.isArea() && isWindsock(shape))
             standing.windsocks.push_back(shape.point);
+        else if (!shape.isArea() && isKind(shape.tags, "kind", "street_lamp"))
+            standing.lamps.posts.push_back(shape.point);
         else if (!shape.isArea())
             take({shape.point}, shape.tags, shape.id);
         else
@@ -140,7 +150,8 @@ foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::Ro
         if (!shapes) return shapes.error();
         made.notes.insert(made.notes.end(), shapes->notes.begin(), shapes->notes.end());
         add(*shapes, tile.tile, made);
-        if (made.structures.empty() && made.windsocks.empty())
+        const bool hasLamps = made.lamps.posts.size() + made.lamps.lit.size() + made.lamps.unlit.size() > 0;
+        if (made.structures.empty() && made.windsocks.empty() && !hasLamps)
             return foundation::Error{source.string(), "has nothing that can stand here",
                                      "give lines of walls, fences, power lines or railways of this place"};
     }

@@ -14,18 +14,21 @@
 #include <osgTerrainROAM/core/RoamFile.h>
 
 #include "SceneTerrain.h"
+#include "scenery/lights/StreetLamps.h"
 #include "scenery/structures/Structure.h"
 
 namespace trainer
 {
 
-/// Walls, fences, power lines, railways, wind turbines and windsocks of a world.
+/// Walls, fences, power lines, railways, wind turbines and windsocks of a world, and what it tells of street
+/// lamps.
 struct MadeStructures
 {
     std::vector<scenery::Structure> structures;
     osg::ref_ptr<osg::Node> node;       ///< of the structures; null: there are none
     simulation::ObstacleList obstacles; ///< of the structures
     std::vector<glm::dvec2> windsocks;
+    scenery::MappedLamps lamps;
     std::size_t unused = 0, beyondGround = 0;
     std::vector<std::string> notes; ///< of the sources
 };

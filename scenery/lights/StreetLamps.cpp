@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <foundation/Random.h>
@@ -75,33 +76,116 @@ void walk(const std::vector<glm::dvec2>& line, double firstM, double everyM, con
     }
 }
 
+double heightBeside(double widthM)
+{
+    return widthM > 8.0 ? 8.0 : 6.0;
+}
+
+/// What is known of the streets' places: paved ones, houses, and what the map says of lamps.
+class StreetsWithLamps
+{
+public:
+    StreetsWithLamps(std::span<const StreetLine> streets, std::span<const glm::dvec2> houses,
+                     const MappedLamps& mapped)
+    {
+        for (const glm::dvec2& house : houses)
+            _built.add(house, house);
+        for (const StreetLine& street : streets)
+            walk(street.middle, 0.0, kWalkedM,
+                 [&](const glm::dvec2& place, const glm::dvec2&) {
+                     _paved.add(place, {place, 0.5 * street.widthM});
+                 });
+        for (const glm::dvec2& post : mapped.posts)
+            _posts.add(post, post);
+        for (const bool isLit : {true, false})
+            for (const auto& line : isLit ? mapped.lit : mapped.unlit)
+                walk(line, 0.0, kWalkedM,
+                     [&](const glm::dvec2& place, const glm::dvec2&) {
+                         _told.add(place, {place, isLit});
+                     });
+    }
+
+    /// Whether a lamp is to stand at a place beside a street, whose middle is there.
+    bool isLit(const glm::dvec2& middle, const glm::dvec2& place) const
+    {
+        bool isFree = true;
+        _posts.near(place, [&](const glm::dvec2& post)
+                    { isFree = isFree && glm::distance(post, place) > kMappedRoomM; });
+        _paved.near(place, [&](const PavedPlace& other)
+                    { isFree = isFree && glm::distance(other.place, place) > other.halfM + kFreeM; });
+        return isFree && toldOf(middle).value_or(hasHouses(place));
+    }
+
+    /// A lamp of the map, beside the nearest street and towards it.
+    StreetLamp mappedLamp(const glm::dvec2& post, std::size_t number) const
+    {
+        StreetLamp lamp{post};
+        lamp.isSodium = foundation::mixedBits(number + 1) % 3 == 0;
+        double nearestM = kPavedSquareM;
+        _paved.near(post,
+                    [&](const PavedPlace& street)
+                    {
+                        const double awayM = glm::distance(street.place, post);
+                        if (awayM >= nearestM || awayM < 1e-3) return;
+                        nearestM = awayM;
+                        lamp.towards = (street.place - post) / awayM;
+                        lamp.heightM = heightBeside(2.0 * street.halfM);
+                        lamp.place =
+                            awayM < street.halfM + kFreeM // maps set lamps on the line of a street, too
+                                ? street.place - (street.halfM + kBesideM) * lamp.towards
+                                : post;
+                    });
+        return lamp;
+    }
+
+private:
+    static constexpr double kWalkedM = 3.0, kSameStreetM = 8.0, kMappedRoomM = 48.0, kPavedSquareM = 16.0;
+
+    struct Told
+    {
+        glm::dvec2 place;
+        bool isLit;
+    };
+
+    /// What the map says of the street here; nothing: it does not tell.
+    std::optional<bool> toldOf(const glm::dvec2& middle) const
+    {
+        std::optional<bool> told;
+        double nearestM = kSameStreetM;
+        _told.near(middle,
+                   [&](const Told& one)
+                   {
+                       if (const double awayM = glm::distance(one.place, middle); awayM < nearestM)
+                       {
+                           nearestM = awayM;
+                           told = one.isLit;
+                       }
+                   });
+        return told;
+    }
+
+    bool hasHouses(const glm::dvec2& place) const
+    {
+        int count = 0;
+        _built.near(place, [&](const glm::dvec2& house)
+                    { count += glm::distance(house, place) < kHousesM ? 1 : 0; });
+        return count >= kLeastHouses;
+    }
+
+    Squares<glm::dvec2> _built{kHousesM}, _posts{kMappedRoomM};
+    Squares<PavedPlace> _paved{kPavedSquareM};
+    Squares<Told> _told{kSameStreetM};
+};
+
 } // namespace
 
 std::vector<StreetLamp> streetLampsAlong(std::span<const StreetLine> streets,
-                                         std::span<const glm::dvec2> houses)
+                                         std::span<const glm::dvec2> houses, const MappedLamps& mapped)
 {
-    constexpr double kPavedEveryM = 3.0;
-    Squares<glm::dvec2> built(kHousesM);
-    for (const glm::dvec2& house : houses)
-        built.add(house, house);
-    Squares<PavedPlace> paved(16.0);
-    for (const StreetLine& street : streets)
-        walk(street.middle, 0.0, kPavedEveryM,
-             [&](const glm::dvec2& place, const glm::dvec2&) {
-                 paved.add(place, {place, 0.5 * street.widthM + kFreeM});
-             });
-    const auto isLit = [&](const glm::dvec2& place)
-    {
-        int count = 0;
-        built.near(place,
-                   [&](const glm::dvec2& house) { count += glm::distance(house, place) < kHousesM ? 1 : 0; });
-        if (count < kLeastHouses) return false;
-        bool isFree = true;
-        paved.near(place, [&](const PavedPlace& other)
-                   { isFree = isFree && glm::distance(other.place, place) > other.halfM; });
-        return isFree;
-    };
+    const StreetsWithLamps known(streets, houses, mapped);
     std::vector<StreetLamp> lamps;
+    for (std::size_t i = 0; i < mapped.posts.size(); ++i)
+        lamps.push_back(known.mappedLamp(mapped.posts[i], i));
     for (std::size_t i = 0; i < streets.size(); ++i)
     {
         const StreetLine& street = streets[i];
@@ -113,7 +197,8 @@ std::vector<StreetLamp> streetLampsAlong(std::span<const StreetLine> streets,
                  const glm::dvec2 out = side * glm::dvec2(-along.y, along.x),
                                   place = middle + out * (0.5 * street.widthM + kBesideM);
                  side = -side;
-                 if (isLit(place)) lamps.push_back({place, -out, street.widthM > 8.0 ? 8.0 : 6.0, isSodium});
+                 if (known.isLit(middle, place))
+                     lamps.push_back({place, -out, heightBeside(street.widthM), isSodium});
              });
     }
     return lamps;

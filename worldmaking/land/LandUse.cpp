@@ -150,6 +150,7 @@ void countUnused(const LandShape& shape, LandReport& report)
     if (isSet(tags, "building") || coverOf(tags) || (isSet(tags, "highway") && traitsOf(tags))) return;
     const auto natural = valueOf(tags, "natural");
     if (valueOf(tags, "aeroway") == "runway" || valueOf(tags, "aeroway") == "windsock") return;
+    if (valueOf(tags, "highway") == "street_lamp") return;
     if (valueOf(tags, "power") == "tower" || valueOf(tags, "power") == "pole") return; // where lines bend
     if (scenery::structureOf(std::vector<glm::dvec2>(shape.form == ShapeForm::point ? 1 : 2), tags, 0))
         return;

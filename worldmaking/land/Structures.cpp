@@ -61,6 +61,7 @@ public:
         if (takeTracks(shape, number)) return;
         if (shape.form == ShapeForm::point && valueOf(shape.tags, "aeroway") == "windsock")
             return takeWindsock(shape);
+        if (!valueOf(shape.tags, "highway").empty()) return takeLight(shape);
         // Areas with a barrier are fenced; a plant's outline is no turbine.
         const bool isFenced = shape.form == ShapeForm::area && !valueOf(shape.tags, "barrier").empty();
         if (shape.form == ShapeForm::area && !isFenced) return;
@@ -124,6 +125,7 @@ public:
             if (!_room.tracks.empty() || !_room.footbridges.empty()) keys.push_back("heights");
             if (!_room.tracks.empty()) keys.insert(keys.end(), {"portals", "tube", "embedded"});
             if (!_room.footbridges.empty()) keys.insert(keys.end(), {"piers", "treads"});
+            if (_report.litStreets + _report.unlitStreets > 0) keys.push_back("lit");
             if (!things.empty()) made.beginLayer(name, form, keys);
             for (const auto& [path, tags] : things)
                 if (const auto degrees = _plane.toDegrees({path})) made.add(*degrees, tags);
@@ -161,6 +163,26 @@ private:
             _lines.emplace_back(track.points, std::move(tags));
         }
         return true;
+    }
+
+    /// A lamp, or a way that the map says is lit or is not. Nothing of a tunnel: its lamps are its own.
+    void takeLight(const LandShape& shape)
+    {
+        if (shape.form == ShapeForm::point && valueOf(shape.tags, "highway") == "street_lamp")
+        {
+            const auto place = _plane.toPlan(shape.paths.front().front());
+            if (!place || !_room.ground(*place)) return;
+            _points.push_back({{*place}, {{"kind", "street_lamp"}}});
+            ++_report.streetLamps;
+        }
+        const auto lit = valueOf(shape.tags, "lit"), tunnel = valueOf(shape.tags, "tunnel");
+        if (shape.form != ShapeForm::line || lit.empty() || !(tunnel.empty() || tunnel == "no")) return;
+        const auto paths = _plane.toPlan(shape.paths);
+        if (!paths) return;
+        const bool isLit = lit != "no" && lit != "disused";
+        for (const auto& path : *paths)
+            _lines.push_back({path, {{"kind", "street"}, {"lit", isLit ? "yes" : "no"}}});
+        ++(isLit ? _report.litStreets : _report.unlitStreets);
     }
 
     void takeWindsock(const LandShape& shape)

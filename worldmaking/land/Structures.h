@@ -22,7 +22,7 @@ namespace worldmaking
 struct StructureReport
 {
     std::size_t walls = 0, fences = 0, powerLines = 0, railways = 0, turbines = 0, windsocks = 0;
-    std::size_t footbridges = 0;
+    std::size_t footbridges = 0, streetLamps = 0, litStreets = 0, unlitStreets = 0;
     std::size_t cut = 0; ///< walls and fences that a road runs through
     std::size_t beyondGround = 0;
     std::size_t written = 0; ///< lines and points in the file
@@ -40,11 +40,11 @@ struct StructureRoom
     std::span<const Footbridge> footbridges{}; ///< with their ramps
 };
 
-/// Writes walls, fences, power lines, railways, wind turbines and windsocks of a map as a GeoPackage that
-/// `structures` of a .roam file reads. Railways and footbridges with heights have them in the
-/// attribute `heights`, one for each point. Walls and fences end kGateM before lanes; a runway without a
-/// windsock of the map gets one beside its strip. Nothing is written where the map has none. Errors: as
-/// MapFile::finish().
+/// Writes walls, fences, power lines, railways, wind turbines, windsocks and street lamps of a map, and which
+/// streets it says are lit or not, as a GeoPackage that `structures` of a .roam file reads. Railways and
+/// footbridges with heights have them in the attribute `heights`, one for each point. Walls and fences end
+/// kGateM before lanes; a runway without a windsock of the map gets one beside its strip. Nothing is written
+/// where the map has none. Errors: as MapFile::finish().
 foundation::Outcome writeStructures(const LandMap& map, const MapPlane& plane, const StructureRoom& room,
                                     const std::filesystem::path& file, StructureReport& report);
 

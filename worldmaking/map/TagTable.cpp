@@ -39,7 +39,7 @@ constexpr std::array kTags = std::to_array<KnownTag>({
     {"restriction", kAbout},
     {"sidewalk", kRead},
     {"step_count", kAbout, TagValue::number},
-    {"lit", kIgnored},
+    {"lit", kRead},
     {"traffic_calming", kIgnored},
     {"maxheight", kIgnored},
     {"maxweight", kIgnored},

@@ -67,6 +67,48 @@ TEST(StreetLamps, StandByTurnsOnBothSides32MetresApart)
     }
 }
 
+TEST(StreetLamps, AMapSaysWhichStreetsAreLit)
+{
+    // Two streets through a village and one in the open; the middle of the line that a map has is not the
+    // road's.
+    const std::vector<StreetLine> streets{street(0.0, 300.0), street(0.0, 300.0, 38.0),
+                                          street(0.0, 300.0, 1000.0)};
+    const auto on = [&](const std::vector<scenery::StreetLamp>& lamps, double y)
+    {
+        return std::count_if(lamps.begin(), lamps.end(),
+                             [=](const scenery::StreetLamp& lamp)
+                             { return std::abs(lamp.place.y - y) < 5.0; });
+    };
+    const auto untold = streetLampsAlong(streets, village());
+    EXPECT_GT(on(untold, 0.0), 5);
+    EXPECT_GT(on(untold, 38.0), 5);
+    EXPECT_EQ(on(untold, 1000.0), 0);
+    scenery::MappedLamps mapped;
+    mapped.unlit = {{{0.0, 1.5}, {300.0, 1.5}}};
+    mapped.lit = {{{0.0, 1001.5}, {300.0, 1001.5}}};
+    const auto told = streetLampsAlong(streets, village(), mapped);
+    EXPECT_EQ(on(told, 0.0), 0);
+    EXPECT_EQ(on(told, 38.0), on(untold, 38.0)) << "nothing is said of it";
+    EXPECT_GT(on(told, 1000.0), 5) << "no house stands there";
+}
+
+TEST(StreetLamps, ThoseOfAMapStandWhereItHasThem)
+{
+    const std::vector<StreetLine> streets{street(0.0, 300.0)};
+    scenery::MappedLamps mapped;
+    mapped.posts = {{150.0, 5.0}, {170.0, -0.5}, {150.0, 700.0}};
+    const auto lamps = streetLampsAlong(streets, village(), mapped);
+    ASSERT_GT(lamps.size(), 5u);
+    EXPECT_EQ(lamps[0].place, mapped.posts[0]);
+    EXPECT_NEAR(lamps[0].towards.y, -1.0, 0.1);
+    EXPECT_GT(std::abs(lamps[1].place.y), 3.0) << "one on the line of a street stands beside it";
+    EXPECT_EQ(lamps[2].place, mapped.posts[2]) << "in a park";
+    for (std::size_t i = 3; i < lamps.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_GT(glm::distance(lamps[i].place, mapped.posts[k]), 48.0);
+    EXPECT_GT(streetLampsAlong(streets, village()).size(), lamps.size() - 3) << "by rule more stand there";
+}
+
 TEST(StreetLamps, LightTheStreetMoreThanTheSky)
 {
     const auto lamps = streetLampsAlong(std::vector{street(0.0, 300.0)}, village());

@@ -16,26 +16,25 @@ public:
     static constexpr double kLatitudeDeg = 42.5, kLongitudeDeg = 1.5;
     static constexpr double kMetresPerDegree = 111000.0;
 
-    int node(double eastM, double northM)
+    using MapTags = std::vector<std::pair<const char*, const char*>>;
+
+    int node(double eastM, double northM, const MapTags& tags = {})
     {
         const double latitude = kLatitudeDeg + northM / kMetresPerDegree;
         const double longitude =
             kLongitudeDeg + eastM / (kMetresPerDegree * std::cos(kLatitudeDeg * 3.14159265358979 / 180.0));
         _nodes += "<node id=\"" + std::to_string(++_lastNode) + "\" lat=\"" + std::to_string(latitude) +
-                  "\" lon=\"" + std::to_string(longitude) + "\"/>\n";
+                  "\" lon=\"" + std::to_string(longitude) + "\">" + textOf(tags) + "</node>\n";
         return _lastNode;
     }
 
     /// Returns the id of the way, from 1.
-    int way(const std::vector<int>& nodes,
-            const std::vector<std::pair<const char*, const char*>>& tags = {{"highway", "residential"}})
+    int way(const std::vector<int>& nodes, const MapTags& tags = {{"highway", "residential"}})
     {
         _ways += "<way id=\"" + std::to_string(++_lastWay) + "\">";
         for (const int node : nodes)
             _ways += "<nd ref=\"" + std::to_string(node) + "\"/>";
-        for (const auto& [key, value] : tags)
-            _ways += std::string("<tag k=\"") + key + "\" v=\"" + value + "\"/>";
-        _ways += "</way>\n";
+        _ways += textOf(tags) + "</way>\n";
         return _lastWay;
     }
 
@@ -58,6 +57,14 @@ public:
     }
 
 private:
+    static std::string textOf(const MapTags& tags)
+    {
+        std::string text;
+        for (const auto& [key, value] : tags)
+            text += std::string("<tag k=\"") + key + "\" v=\"" + value + "\"/>";
+        return text;
+    }
+
     std::string _nodes, _ways, _rules;
     int _lastNode = 0, _lastWay = 0, _lastRule = 0;
 };

@@ -70,3 +70,40 @@ TEST(WorldStructures, WallsEndAtRoadsAndRunwaysGetWindsocks)
     EXPECT_EQ(walls, 2u) << "one piece on either side of the street";
     EXPECT_LT(room.distanceM({0.0, 0.0}, 5.0), worldmaking::kGateM) << "uncut it would stand on the street";
 }
+
+TEST(WorldStructures, TellLampsAndWhichStreetsAreLit)
+{
+    const testsupport::TestFolder folder("lamps");
+    MadeMap map;
+    map.way({map.node(-300, 0), map.node(300, 0)}, {{"highway", "residential"}, {"lit", "yes"}});
+    map.way({map.node(-300, 80), map.node(300, 80)}, {{"highway", "residential"}, {"lit", "no"}});
+    map.way({map.node(-300, 160), map.node(300, 160)}, {{"highway", "residential"}});
+    map.way({map.node(-300, 240), map.node(300, 240)},
+            {{"highway", "residential"}, {"lit", "yes"}, {"tunnel", "yes"}});
+    map.node(20, 5, {{"highway", "street_lamp"}});
+    const auto streets = streetsOf(map, [](double, double) { return 500.0; });
+    const auto land = worldmaking::readLand(folder.write("map.osm", map.text()));
+    ASSERT_TRUE(land);
+    const auto plane = worldmaking::MapPlane::create(streets.network.header, "made");
+    ASSERT_TRUE(plane);
+    worldmaking::StructureReport report;
+    const auto ground = [](const glm::dvec2&) { return std::optional(500.0); };
+    const worldmaking::RoadRoom room(streets.network);
+    ASSERT_TRUE(worldmaking::writeStructures(*land, *plane, {room, {}, {}, ground},
+                                             folder / "structures.gpkg", report));
+    EXPECT_EQ(report.streetLamps, 1u);
+    EXPECT_EQ(report.litStreets, 1u) << "the tunnel's lamps are its own";
+    EXPECT_EQ(report.unlitStreets, 1u);
+    const auto read = worldmaking::readLand(folder / "structures.gpkg");
+    ASSERT_TRUE(read) << read.error().message();
+    std::size_t lit = 0, unlit = 0, lamps = 0;
+    for (const auto& shape : read->shapes)
+    {
+        lit += worldmaking::valueOf(shape.tags, "lit") == "yes";
+        unlit += worldmaking::valueOf(shape.tags, "lit") == "no";
+        lamps += worldmaking::valueOf(shape.tags, "kind") == "street_lamp";
+    }
+    EXPECT_EQ(lit, 1u);
+    EXPECT_EQ(unlit, 1u);
+    EXPECT_EQ(lamps, 1u);
+}
