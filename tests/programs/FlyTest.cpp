@@ -91,6 +91,31 @@ TEST(Fly, ItsTableTellsBankAirspeedsAndControls)
     EXPECT_GT(cellOf("#1 Input_throttle"), 0.0);
 }
 
+TEST(Fly, AWeatherReportsWindMovesTheAircraft)
+{
+    const Workplace place;
+    const auto northAfter = [&](const std::vector<std::string>& more)
+    {
+        const std::string motion = place.path("report.csv");
+        std::vector<std::string> arguments =
+            flight({"--headless", "--start", "0,0,1500,0,40", "--duration", "4", "--csv_logger", motion});
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_TRUE(succeeds(runTrainer(arguments)));
+        const auto read = simulation::readMotionTable(motion);
+        EXPECT_TRUE(read);
+        return read ? read->tracks.front().samples.back()->position.y : 0.0;
+    };
+    const double calmM = northAfter({}), reportM = northAfter({"--metar", "LOWI 241150Z 36020KT 9999"}),
+                 askedM = northAfter({"--wind", "0,20"});
+    EXPECT_LT(reportM, calmM - 20.0); // four seconds of 10 m/s from ahead
+    EXPECT_NEAR(reportM, askedM, 0.01);
+    // What is asked for goes before the report.
+    EXPECT_NEAR(northAfter({"--metar", "LOWI 241150Z 36020KT 9999", "--wind", "180,5"}),
+                northAfter({"--wind", "180,5"}), 0.01);
+    // Thinner air: the same airspeed is flown with another throttle, and less far.
+    EXPECT_GT(std::abs(northAfter({"--metar", "LOWI 241150Z 9999 35/10 Q0980"}) - calmM), 0.01);
+}
+
 TEST(Fly, LandsToAStopWithoutPictures)
 {
     const ProgramRun run = runTrainer(flight({"--headless", "--strip", "0,0,0,800"}));

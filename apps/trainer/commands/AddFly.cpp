@@ -28,6 +28,7 @@ foundation::Outcome flyOne(const FlyLine& line)
 {
     FlyRequest request = line.fly;
     request.play = line.play.request;
+    request.takeReportedWind();
     if (const auto complete = line.ride.complete(request); !complete) return complete;
     const std::vector<double>& strip = line.strip;
     if (!strip.empty())

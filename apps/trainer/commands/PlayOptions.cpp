@@ -176,7 +176,7 @@ void PlayOptions::addFrameOptions(CLI::App& command)
     command.add_option(
         "--metar", _metar,
         "a weather report, as in 'LOWI 241150Z 25012KT 9999 FEW040 SCT080 18/09 Q1018': its clouds, "
-        "visibility, rain or snow, and the wind that pictures show");
+        "visibility, rain or snow, temperature and pressure, and the wind");
     command
         .add_option("--shadows", _shadows,
                     "on or off: shadows of the sun on everything (the usual), or below entities alone")

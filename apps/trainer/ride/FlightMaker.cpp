@@ -20,9 +20,18 @@ namespace trainer
 namespace
 {
 
-simulation::WeatherAir airOf(const FlyRequest& request)
+/// The air of a request. Of a weather report temperature and pressure count: the one at the height of the
+/// scene's origin, the other at the sea, as aerodromes report them.
+simulation::WeatherAir airOf(const FlyRequest& request, double originHeightM)
 {
     simulation::WeatherSettings weather;
+    if (const auto& told = request.play.weather)
+    {
+        if (told->temperatureK)
+            weather.offsets.temperatureK =
+                *told->temperatureK - simulation::standardAtmosphere(originHeightM, {}).temperatureK;
+        weather.offsets.seaPressurePa = told->pressurePa.value_or(weather.offsets.seaPressurePa);
+    }
     weather.gustDeviationMps = request.gustsMps;
     weather.windMps = glm::dvec3(request.windMps(), 0.0);
     if (!request.wind.empty() && request.gustsMps > 0.0)
@@ -119,7 +128,8 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
         std::make_unique<simulation::ControlledVehicle>(std::move(*aircraft), std::move(*controller));
     if (!_request.recordInputs.empty()) vehicle->record();
     auto motion = std::make_shared<simulation::VehicleMotion>(
-        std::move(vehicle), _ground, std::make_shared<const simulation::WeatherAir>(airOf(_request)));
+        std::move(vehicle), _ground,
+        std::make_shared<const simulation::WeatherAir>(airOf(_request, _origin ? _origin->heightM : 0.0)));
     const osgSession::core::RideBegin begin{start, foundation::radiansOf(90.0 - from.headingDeg),
                                             from.speedMps};
     return Ride{osgSession::core::flightScenario(begin, _origin, _request.conditions),

@@ -16,4 +16,12 @@ glm::dvec2 FlyRequest::windMps() const
     return -foundation::kMpsPerKnot * wind[1] * glm::dvec2(std::sin(from), std::cos(from));
 }
 
+void FlyRequest::takeReportedWind()
+{
+    if (!wind.empty() || !play.weather || !play.weather->wind) return;
+    const auto& [towardsRad, speedMps] = *play.weather->wind;
+    const double fromDeg = 270.0 - foundation::degreesOf(towardsRad); // headings turn the other way round
+    wind = {fromDeg - 360.0 * std::floor(fromDeg / 360.0), speedMps / foundation::kMpsPerKnot};
+}
+
 } // namespace trainer

@@ -26,12 +26,15 @@ struct FlyRequest : RideRequest
     /// east, north, height above the ground, heading in degrees, speed in m/s; empty: on the strip, or over
     /// the middle
     std::vector<double> start;
-    std::vector<double> wind; ///< from, degrees; kt
+    std::vector<double> wind; ///< from, degrees; kt; empty: that of the weather report, where there is one
     double gustsMps = 0.0;    ///< deviation of turbulence above 600 m
     std::uint64_t seed = 1;   ///< of the turbulence
 
     /// The velocity of the air, east and north in m/s; zero without a wind.
     glm::dvec2 windMps() const;
+
+    /// Flies in the wind that the weather of `play` tells, unless one was asked for.
+    void takeReportedWind();
 };
 
 } // namespace trainer
