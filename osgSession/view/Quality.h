@@ -41,7 +41,7 @@ inline QualityRules rulesOf(Quality quality)
                 .coverReaches = 0,
                 .hasSkyShade = false,
                 .drawnSide = 0.75,
-                .pixelsPerRay = 5,
+                .pixelsPerRay = 4,
                 .raySteps = 32,
                 .define = "PICTURE_LOW",
                 .shadows = {{15.0, 60.0, 240.0, 2000.0}, 512, 0.125, 1, false}};
@@ -49,7 +49,7 @@ inline QualityRules rulesOf(Quality quality)
         return {.tolerancePx = 2.0,
                 .budgetShare = 0.4,
                 .coverReaches = 1,
-                .pixelsPerRay = 4,
+                .pixelsPerRay = 3,
                 .raySteps = 48,
                 .define = "PICTURE_MEDIUM",
                 .shadows = {{40.0, 120.0, 480.0, 5000.0}, 1024, 0.125, 1, false}};
