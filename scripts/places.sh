@@ -17,7 +17,7 @@ scenario() { # hour of the day, UTC; $day: of the year, in June unless told; $sc
     sed -n '1,/<\/Entities>/p' "$world/drive.xosc" | sed '/name="aircraft">/,/<\/ScenarioObject>/d; /<ObjectController>.*Driver/d' |
         sed "s|\"roads.xodr\"|\"$world/roads.xodr\"|; s|\"world.roam\"|\"${scene:-$world/world.roam}\"|"
     echo "<Storyboard><Init><Actions><GlobalAction><EnvironmentAction><Environment name=\"day\"><TimeOfDay animation=\"false\" dateTime=\"${day:-2024-06-21}T$1:00:00Z\"/>
-        <Weather fractionalCloudCover=\"zeroOktas\"><Fog visualRange=\"36000\"/></Weather></Environment></EnvironmentAction></GlobalAction>
+        <Weather fractionalCloudCover=\"zeroOktas\"><Fog visualRange=\"60000\"/></Weather></Environment></EnvironmentAction></GlobalAction>
         <Private entityRef=\"car\"><PrivateAction><TeleportAction><Position>$(position lane 70 550)</Position></TeleportAction></PrivateAction><PrivateAction><RoutingAction><FollowTrajectoryAction><TrajectoryRef><Trajectory name=\"places\" closed=\"false\"><Shape><Polyline>"
     while read -r _ a b c d; do
         [ -n "$a" ] || continue

@@ -152,7 +152,7 @@ std::string scenarioOf(const std::string& entities, const std::string& starts, d
             <Actions>
                 <GlobalAction><EnvironmentAction><Environment name="summer">
                     <TimeOfDay animation="false" dateTime="2024-06-21T15:30:00Z"/>
-                    <Weather fractionalCloudCover="twoOktas"><Fog visualRange="36000"/></Weather>
+                    <Weather fractionalCloudCover="twoOktas"><Fog visualRange="60000"/></Weather>
                 </Environment></EnvironmentAction></GlobalAction>
 )" + starts +
            formatted(R"(            </Actions>
