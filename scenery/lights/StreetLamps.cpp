@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/lights/StreetLamps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -58,6 +59,7 @@ struct PavedPlace
 {
     glm::dvec2 place;
     double halfM;
+    glm::dvec2 along{1.0, 0.0};
 };
 
 /// Calls `use(place, unit vector along, metres from the start)` along a line.
@@ -92,8 +94,8 @@ public:
             _built.add(house, house);
         for (const StreetLine& street : streets)
             walk(street.middle, 0.0, kWalkedM,
-                 [&](const glm::dvec2& place, const glm::dvec2&) {
-                     _paved.add(place, {place, 0.5 * street.widthM});
+                 [&](const glm::dvec2& place, const glm::dvec2& along) {
+                     _paved.add(place, {place, 0.5 * street.widthM, along});
                  });
         for (const glm::dvec2& post : mapped.posts)
             _posts.add(post, post);
@@ -126,14 +128,16 @@ public:
                     [&](const PavedPlace& street)
                     {
                         const double awayM = glm::distance(street.place, post);
-                        if (awayM >= nearestM || awayM < 1e-3) return;
+                        if (awayM >= nearestM) return;
                         nearestM = awayM;
-                        lamp.towards = (street.place - post) / awayM;
+                        const glm::dvec2 left(-street.along.y, street.along.x);
+                        const double leftM = glm::dot(post - street.place, left);
+                        lamp.towards = leftM > 0.0 ? -left : left;
                         lamp.heightM = heightBeside(2.0 * street.halfM);
+                        // Maps set lamps on the line of a street, too.
+                        const double outM = std::max(street.halfM + kBesideM - std::abs(leftM), 0.0);
                         lamp.place =
-                            awayM < street.halfM + kFreeM // maps set lamps on the line of a street, too
-                                ? street.place - (street.halfM + kBesideM) * lamp.towards
-                                : post;
+                            post - (std::abs(leftM) < street.halfM + kFreeM ? outM : 0.0) * lamp.towards;
                     });
         return lamp;
     }

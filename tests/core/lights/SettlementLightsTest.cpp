@@ -79,16 +79,16 @@ TEST(StreetLamps, AMapSaysWhichStreetsAreLit)
                              [=](const scenery::StreetLamp& lamp)
                              { return std::abs(lamp.place.y - y) < 5.0; });
     };
-    const auto untold = streetLampsAlong(streets, village());
-    EXPECT_GT(on(untold, 0.0), 5);
-    EXPECT_GT(on(untold, 38.0), 5);
-    EXPECT_EQ(on(untold, 1000.0), 0);
+    const auto leftOpen = streetLampsAlong(streets, village());
+    EXPECT_GT(on(leftOpen, 0.0), 5);
+    EXPECT_GT(on(leftOpen, 38.0), 5);
+    EXPECT_EQ(on(leftOpen, 1000.0), 0);
     scenery::MappedLamps mapped;
     mapped.unlit = {{{0.0, 1.5}, {300.0, 1.5}}};
     mapped.lit = {{{0.0, 1001.5}, {300.0, 1001.5}}};
     const auto told = streetLampsAlong(streets, village(), mapped);
     EXPECT_EQ(on(told, 0.0), 0);
-    EXPECT_EQ(on(told, 38.0), on(untold, 38.0)) << "nothing is said of it";
+    EXPECT_EQ(on(told, 38.0), on(leftOpen, 38.0)) << "nothing is said of it";
     EXPECT_GT(on(told, 1000.0), 5) << "no house stands there";
 }
 

@@ -17,8 +17,9 @@ namespace
 {
 
 constexpr int kSteps = 200;
-constexpr double kMostStep = 0.02; ///< of white
-constexpr double kNoFall = 0.002;  ///< a half level of 255: rounding
+constexpr double kMostStep = 0.02;    ///< of white
+constexpr double kMostSunStep = 0.03; ///< in twilight: half a degree of the sun is 2.8 % there
+constexpr double kNoFall = 0.02;      ///< of the light before: rounding of pixels
 
 /// Mean luminance of the upper half of a picture, which is sky, 0 … 1.
 double luminanceOf(const osg::Image& picture)
@@ -33,20 +34,31 @@ double luminanceOf(const osg::Image& picture)
     return sum / (255.0 * picture.s() * (picture.t() - picture.t() / 2));
 }
 
-/// The luminance of a view at each step of a sweep. The eye looks along `towards`, the sky above it.
-std::vector<double> sweep(const std::function<AtmosphereSettings(double)>& settingsAt,
-                          const glm::dvec3& towards)
+/// Undoes displayColour(): the light that a mean level of the picture stands for.
+double lightOf(double level, double exposure)
+{
+    return std::pow(-std::log(1.0 - std::min(level * level, 0.998)), 1.0 / 1.125) / exposure;
+}
+
+/// What a view shows at each step of a sweep: its luminance, and the light that this stands for.
+struct Sweep
+{
+    std::vector<double> levels, lights;
+};
+
+/// The eye looks along `towards`, the sky above it.
+Sweep sweep(const std::function<AtmosphereSettings(double)>& settingsAt, const glm::dvec3& towards)
 {
     const rendered::ViewScene scene;
     osgOffscreen::OffscreenSettings settings;
     settings.widthPx = 48;
     settings.heightPx = 36;
     auto viewer = osgOffscreen::OffscreenViewer::create(settings);
-    std::vector<double> levels;
+    Sweep seen;
     if (!viewer)
     {
         ADD_FAILURE() << viewer.error().message();
-        return levels;
+        return seen;
     }
     (*viewer)->viewer().setSceneData(scene.root);
     (*viewer)->camera().setProjectionMatrixAsPerspective(60.0, 4.0 / 3.0, 0.5, 2e5);
@@ -56,9 +68,10 @@ std::vector<double> sweep(const std::function<AtmosphereSettings(double)>& setti
     for (int i = 0; i <= kSteps; ++i)
     {
         EXPECT_TRUE(scene.atmosphere->setSettings(settingsAt(static_cast<double>(i) / kSteps)));
-        levels.push_back(luminanceOf(*(*viewer)->picture()));
+        seen.levels.push_back(luminanceOf(*(*viewer)->picture()));
+        seen.lights.push_back(lightOf(seen.levels.back(), scene.atmosphere->light().exposure));
     }
-    return levels;
+    return seen;
 }
 
 double largestStep(const std::vector<double>& levels)
@@ -69,14 +82,14 @@ double largestStep(const std::vector<double>& levels)
     return largest;
 }
 
-/// The deepest fall below what has been before, between two shares of a sweep.
+/// The deepest fall below what has been before, as a share of it, between two shares of a sweep.
 double deepestFall(const std::vector<double>& levels, double from, double to)
 {
     double highest = 0.0, deepest = 0.0;
     for (auto i = static_cast<std::size_t>(from * kSteps); i <= static_cast<std::size_t>(to * kSteps); ++i)
     {
         highest = std::max(highest, levels.at(i));
-        deepest = std::max(deepest, highest - levels.at(i));
+        deepest = std::max(deepest, 1.0 - levels.at(i) / highest);
     }
     return deepest;
 }
@@ -102,10 +115,10 @@ TEST(SkySweep, TheSunsHeightChangesTheSkyWithoutAStep)
 {
     for (const glm::dvec3& towards : {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 0.0, 0.6)})
     {
-        const std::vector<double> levels = sweep(sunAtShare, towards);
+        const auto [levels, lights] = sweep(sunAtShare, towards);
         ASSERT_EQ(levels.size(), static_cast<std::size_t>(kSteps + 1));
-        EXPECT_LE(largestStep(levels), kMostStep);
-        EXPECT_LE(deepestFall(levels, 0.0, shareOf(35.0)), kNoFall) << "until the exposure takes over";
+        EXPECT_LE(largestStep(levels), kMostSunStep);
+        EXPECT_LE(deepestFall(lights, 0.0, shareOf(35.0)), kNoFall);
         EXPECT_GT(*std::min_element(levels.begin(), levels.end()), 0.01) << "night is not black";
         EXPECT_GT(levels.back(), 5.0 * levels.front());
     }
@@ -126,8 +139,8 @@ TEST(SkySweep, VisibilityAndCoverChangeTheSkyWithoutAStep)
         return air;
     };
     const glm::dvec3 north(0.0, 1.0, 0.0);
-    EXPECT_LE(largestStep(sweep(visibilityAt, north)), kMostStep);
-    EXPECT_LE(largestStep(sweep(coverAt, north)), kMostStep);
+    EXPECT_LE(largestStep(sweep(visibilityAt, north).levels), kMostStep);
+    EXPECT_LE(largestStep(sweep(coverAt, north).levels), kMostStep);
 }
 
 TEST(SkySweep, AJumpAndAFallAreFound)
@@ -142,6 +155,6 @@ TEST(SkySweep, AJumpAndAFallAreFound)
     const auto falling = [](double share)
     { return sunAtShare(share > shareOf(2.0) && share < shareOf(10.0) ? share - shareOf(-17.0) : share); };
     const glm::dvec3 north(0.0, 1.0, 0.0);
-    EXPECT_GT(largestStep(sweep(jumping, north)), kMostStep);
-    EXPECT_GT(deepestFall(sweep(falling, north), 0.0, shareOf(35.0)), kNoFall);
+    EXPECT_GT(largestStep(sweep(jumping, north).levels), kMostSunStep);
+    EXPECT_GT(deepestFall(sweep(falling, north).lights, 0.0, shareOf(35.0)), kNoFall);
 }
