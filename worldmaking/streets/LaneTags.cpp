@@ -12,6 +12,8 @@
 
 #include <foundation/TagQuantity.h>
 
+#include "worldmaking/streets/LaneLists.h"
+
 namespace worldmaking
 {
 
@@ -43,39 +45,44 @@ public:
     }
 
     /// How many lanes a direction has; `side`: "", ":forward", ":backward", ":both_ways". Where no number
-    /// says it, a list has an entry for each.
+    /// says it, a list has an entry for each, and for those of bicycles.
     std::optional<int> lanes(const std::string& side) const
     {
         if (const auto told = count("lanes" + side)) return told;
-        for (const char* key : {"turn:lanes", "change:lanes", "width:lanes", "bus:lanes", "psv:lanes"})
-            if (const std::string_view list = valueOf(_tags, key + side); !list.empty())
-            {
-                const auto entries = 1 + std::count(list.begin(), list.end(), '|');
-                if (entries <= 2 * kMostLanes) return static_cast<int>(entries);
-            }
+        for (const char* key :
+             {"turn:lanes", "change:lanes", "width:lanes", "bus:lanes", "psv:lanes", "motorcar:lanes",
+              "motor_vehicle:lanes", "vehicle:lanes", "access:lanes", "turn:bus:lanes"})
+        {
+            const std::size_t entries = laneEntries(_tags, key + side).size();
+            if (entries == 0 || entries > kMostListed) continue;
+            const auto uses = laneUsesOf(_tags, side);
+            const auto all = uses.size() == entries ? withoutBicycles(uses).size() : entries;
+            if (all > 0) return static_cast<int>(all);
+        }
         return std::nullopt;
     }
 
     /// Lanes for buses of a direction of so many lanes: the outermost by number, or those of the entries of
-    /// lists that are theirs in any of them.
+    /// lists that are theirs, or that are closed to cars.
     LaneSet buses(const std::string& side, int lanes) const
     {
         for (const char* key : {"lanes:psv", "lanes:bus"})
             if (const auto told = count(key + side)) return outermostLanes(*told, lanes);
-        LaneSet theirs = 0;
-        std::size_t most = 0;
-        for (const char* key : {"bus:lanes", "psv:lanes"})
-        {
-            const auto entries = listOf(key + side);
-            most = std::max(most, entries.size());
-            for (std::size_t i = 0; i < std::min<std::size_t>(entries.size(), 2 * kMostLanes); ++i)
-                if (entries[i] == "designated" || entries[i] == "official") theirs |= LaneSet{1} << i;
-        }
-        if (most == static_cast<std::size_t>(std::max(lanes, 0))) return theirs; // from the middle outwards
+        const auto listed = laneUsesOf(_tags, side), driven = withoutBicycles(listed);
+        const auto size = static_cast<std::size_t>(std::max(lanes, 0));
+        if (driven.size() == size) return busesOf(driven);
+        if (listed.size() == size) return busesOf(listed); // lanes for cars and bicycles
         // Lists count lanes for bicycles, too, which `lanes` does not.
         const auto all = LaneTagReader(_tags, nullptr).count("lanes" + side); // told elsewhere
-        const int beyond = all ? std::max(0, static_cast<int>(most) - *all) : 0;
-        return outermostLanes(std::popcount(theirs) - beyond, lanes);
+        const int beyond = all ? std::max(0, static_cast<int>(driven.size()) - *all) : 0;
+        return outermostLanes(std::popcount(busesOf(driven)) - beyond, lanes);
+    }
+
+    /// Whether a list names a lane of a direction as one for buses.
+    bool listsBuses(const std::string& side) const
+    {
+        const auto uses = laneUsesOf(_tags, side);
+        return std::find(uses.begin(), uses.end(), LaneUse::buses) != uses.end();
     }
 
     /// Whether a lane for buses runs on a side (`busway`): "right" or "left".
@@ -83,21 +90,6 @@ public:
     {
         const auto isLane = [&](const std::string& key) { return is(key, {"lane"}); };
         return isLane("busway") || isLane("busway:both") || isLane(std::string("busway:") + side);
-    }
-
-    /// The entries of a list by lanes, "a|b".
-    std::vector<std::string_view> listOf(const std::string& key) const
-    {
-        std::vector<std::string_view> entries;
-        std::string_view rest = valueOf(_tags, key);
-        if (rest.empty()) return entries;
-        for (std::size_t bar = rest.find('|'); bar != std::string_view::npos; bar = rest.find('|'))
-        {
-            entries.push_back(rest.substr(0, bar));
-            rest.remove_prefix(bar + 1);
-        }
-        entries.push_back(rest);
-        return entries;
     }
 
     bool is(std::string_view key, std::initializer_list<std::string_view> values) const
@@ -110,6 +102,14 @@ public:
     void told(std::string_view key) const { countTag(_approximated, _tags, key); }
 
 private:
+    static LaneSet busesOf(const std::vector<LaneUse>& uses)
+    {
+        LaneSet theirs = 0;
+        for (std::size_t i = 0; i < uses.size(); ++i)
+            if (uses[i] == LaneUse::buses || uses[i] == LaneUse::others) theirs |= LaneSet{1} << i;
+        return theirs;
+    }
+
     const Tags& _tags;
     TagCounts* _approximated;
 };
@@ -121,8 +121,8 @@ bool hasBusesAgainst(const LaneTagReader& reader, const std::string& back)
         if (reader.is(key, {"no", "-1"})) return true;
     for (const char* key : {"busway", "busway:left", "busway:right", "busway:both"})
         if (reader.is(key, {"opposite_lane", "opposite", "opposite_track"})) return true;
-    return reader.buses(back, kMostLanes) != 0 || reader.has("bus:lanes" + back) ||
-           reader.has("psv:lanes" + back);
+    return reader.count("lanes:psv" + back) || reader.count("lanes:bus" + back) || reader.listsBuses(back) ||
+           reader.has("bus:lanes" + back) || reader.has("psv:lanes" + back);
 }
 
 /// Takes lanes of `busway`, where no other tag tells lanes for buses: a direction keeps a lane for cars.
@@ -235,25 +235,53 @@ std::pair<CycleWay, CycleWay> cycleWaysOf(const Tags& tags, StreetDirection dire
             if (const CycleWay kind = kindOf(key); kind != CycleWay::none) return kind;
         return hasPlain && valueOf(tags, side).empty() ? kindOf("cycleway") : CycleWay::none;
     };
+    // A lane for bicycles at the edge of a list by lanes.
+    const auto listed = [&](const std::string& ofDirection, bool isAtRight)
+    {
+        const auto uses = laneUsesOf(tags, ofDirection);
+        const bool isThere = uses.size() > 1 && (isAtRight ? uses.back() : uses.front()) == LaneUse::bicycles;
+        const auto lanes = foundation::numberOfTag(valueOf(tags, "lanes" + ofDirection));
+        return isThere && (!lanes || *lanes <= static_cast<double>(withoutBicycles(uses).size()));
+    };
     const bool isOpposite = valueOf(tags, "cycleway").starts_with("opposite");
     const bool isRightAlone = direction == StreetDirection::along && !isOpposite,
                isLeftAlone = (direction == StreetDirection::along && isOpposite) ||
                              (direction == StreetDirection::against && !isOpposite);
-    return {sideOf("cycleway:right", !isLeftAlone), sideOf("cycleway:left", !isRightAlone)};
+    std::pair<CycleWay, CycleWay> sides{sideOf("cycleway:right", !isLeftAlone),
+                                        sideOf("cycleway:left", !isRightAlone)};
+    const bool isAgainst = direction == StreetDirection::against, isBoth = direction == StreetDirection::both;
+    const auto take = [](CycleWay& side, bool isListed)
+    {
+        if (isListed && side == CycleWay::none) side = CycleWay::lane;
+    };
+    take(sides.first, listed(":forward", true) || (!isBoth && listed("", !isAgainst)));
+    take(sides.second, listed(":backward", true) || (!isBoth && listed("", isAgainst)));
+    return sides;
 }
 
 std::vector<std::string> turnArrowsOf(const Tags& tags, StreetDirection direction, bool isForward, int lanes)
 {
-    const LaneTagReader reader(tags, nullptr);
     const bool isOneway = direction == (isForward ? StreetDirection::along : StreetDirection::against);
-    auto entries = reader.listOf(isForward ? "turn:lanes:forward" : "turn:lanes:backward");
-    if (entries.empty() && isOneway) entries = reader.listOf("turn:lanes");
-    if (entries.empty() && lanes == 1 && isOneway) entries = reader.listOf("turn");
+    std::string side = isForward ? ":forward" : ":backward";
+    const auto has = [&](const char* key) { return !valueOf(tags, key + side).empty(); };
+    if (!has("turn:lanes") && !has("turn:bus:lanes") && isOneway) side.clear();
+    auto entries = laneEntries(tags, "turn:lanes" + side);
+    auto uses = laneUsesOf(tags, side);
+    if (const auto ofBuses = laneEntries(tags, "turn:bus:lanes" + side); !ofBuses.empty())
+    {
+        if (entries.empty()) entries.resize(ofBuses.size());
+        for (std::size_t i = 0; i < std::min({entries.size(), ofBuses.size(), uses.size()}); ++i)
+            if (uses[i] == LaneUse::buses && !ofBuses[i].empty()) entries[i] = ofBuses[i];
+    }
+    if (entries.empty() && lanes == 1 && isOneway) entries = laneEntries(tags, "turn");
+    const auto driven = static_cast<std::size_t>(std::max(lanes, 0));
+    if (uses.size() == entries.size() && withoutBicycles(uses).size() == driven)
+        for (std::size_t i = uses.size(); i-- > 0;)
+            if (uses[i] == LaneUse::bicycles) entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(i));
     std::vector<std::string> arrows;
-    while (entries.size() > static_cast<std::size_t>(std::max(lanes, 0)) &&
-           (entries.back().empty() || entries.back() == "none"))
+    while (entries.size() > driven && (entries.back().empty() || entries.back() == "none"))
         entries.pop_back(); // lanes for bicycles
-    if (lanes < 1 || entries.size() != static_cast<std::size_t>(lanes)) return arrows;
+    if (lanes < 1 || entries.size() != driven) return arrows;
     bool hasOne = false;
     for (const std::string_view entry : entries)
     {

@@ -47,7 +47,8 @@ inline constexpr int kMostLanes = 6; ///< in each direction
 StreetDirection directionOf(const Tags& tags, std::string_view kind, TagCounts* approximated = nullptr);
 
 /// Returns the lanes of a street. `usual`: in each direction, where no tag says it. `isNarrow`: too narrow
-/// for two. A lane against a one-way street is one for buses. Source: the OpenStreetMap wiki, *Key:lanes*,
+/// for two. A lane against a one-way street is one for buses; so are those that are closed to cars. Source:
+/// the OpenStreetMap wiki, *Key:lanes*,
 /// *Key:oneway*, *Key:busway*, *Lanes*.
 LaneCounts lanesOfTags(const Tags& tags, StreetDirection direction, int usual, bool isNarrow,
                        TagCounts* approximated = nullptr);
@@ -61,12 +62,14 @@ enum class CycleWay : std::uint8_t
 };
 
 /// Returns the cycle lanes of a street on its sides, seen along its way: right, left. Of a one-way street
-/// `cycleway` without a side is on the right. Source: the OpenStreetMap wiki, *Key:cycleway*.
+/// `cycleway` without a side is on the right. Where no such tag says it, a lane for bicycles at the edge of a
+/// list by lanes (LaneLists.h) is one. Source: the OpenStreetMap wiki, *Key:cycleway*.
 std::pair<CycleWay, CycleWay> cycleWaysOf(const Tags& tags, StreetDirection direction);
 
 /// Returns the arrows of the lanes of a direction from left to right, as `turn:lanes` has them ("left",
-/// "through;right", "": none). `isForward`: along the way. Nothing where the number of entries is not
-/// `lanes`. Source: the OpenStreetMap wiki, *Key:turn*.
+/// "through;right", "": none); on lanes for buses those of `turn:bus:lanes`. `isForward`: along the way.
+/// Nothing where the number of entries, without lanes for bicycles, is not `lanes`. Source: the OpenStreetMap
+/// wiki, *Key:turn*, *Key:turn:bus:lanes*.
 std::vector<std::string> turnArrowsOf(const Tags& tags, StreetDirection direction, bool isForward, int lanes);
 
 } // namespace worldmaking

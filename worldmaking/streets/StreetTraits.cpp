@@ -82,15 +82,27 @@ bool isBusway(const Tags& tags)
     return valueOf(tags, "highway") == "busway";
 }
 
-/// Whether what it is for may not use it.
+/// Whether buses may use what is closed to cars.
+bool isOpenToBuses(const Tags& tags)
+{
+    return isAmong(valueOf(tags, "bus"), {"yes", "designated", "official"}) ||
+           isAmong(valueOf(tags, "psv"), {"yes", "designated", "official"});
+}
+
+/// Whether cars may not use it, by the most special key that says anything.
 bool isClosedToCars(const Tags& tags)
 {
-    if (valueOf(tags, "smoothness") == "impassable") return true;
-    if (isBusway(tags)) return valueOf(tags, "bus") == "no" || valueOf(tags, "psv") == "no";
-    // The most special key that says anything decides.
     for (const std::string_view key : {"motorcar", "motor_vehicle", "vehicle", "access"})
         if (const std::string_view value = valueOf(tags, key); !value.empty()) return value == "no";
     return false;
+}
+
+/// Whether what it is for may not use it.
+bool isClosed(const Tags& tags)
+{
+    if (valueOf(tags, "smoothness") == "impassable") return true;
+    if (isBusway(tags)) return valueOf(tags, "bus") == "no" || valueOf(tags, "psv") == "no";
+    return isClosedToCars(tags) && !isOpenToBuses(tags);
 }
 
 bool isUnpaved(std::string_view surface)
@@ -202,7 +214,7 @@ bool StreetTraits::hasSameLanes(const StreetTraits& other) const
 
 bool isClosedStreet(const Tags& tags)
 {
-    return classOfWay(valueOf(tags, "highway")) && !isNoStreet(tags) && isClosedToCars(tags);
+    return classOfWay(valueOf(tags, "highway")) && !isNoStreet(tags) && isClosed(tags);
 }
 
 std::optional<StreetTraits> traitsOf(const Tags& tags, TagCounts* approximated)
@@ -210,11 +222,11 @@ std::optional<StreetTraits> traitsOf(const Tags& tags, TagCounts* approximated)
     const std::string_view kind = valueOf(tags, "highway");
     const bool isLink = isLinkKind(kind);
     const StreetClass* found = classOfWay(kind);
-    if (!found || isNoStreet(tags) || isClosedToCars(tags)) return std::nullopt;
+    if (!found || isNoStreet(tags) || isClosed(tags)) return std::nullopt;
     StreetTraits traits;
     traits.name = valueOf(tags, "name");
     if (traits.name.empty()) traits.name = valueOf(tags, "ref");
-    traits.kind = kind;
+    traits.kind = isClosedToCars(tags) ? "busway" : kind;
     traits.roadType = found->roadType;
     traits.importance = found->importance;
     traits.laneWidthM = found->laneWidthM;

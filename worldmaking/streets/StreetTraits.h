@@ -18,7 +18,7 @@ namespace worldmaking
 struct StreetTraits
 {
     std::string name;
-    std::string kind;      ///< the value of highway: residential, primary_link …
+    std::string kind;      ///< the value of highway: residential, primary_link …; busway: for buses alone
     std::string roadType;  ///< the word of OpenDRIVE: motorway, rural, town …
     int importance = 0;    ///< 0 service … 8 motorway; a link has that of its road
     int forwardLanes = 1;  ///< lanes in the direction of the way

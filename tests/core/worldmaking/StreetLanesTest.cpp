@@ -313,6 +313,24 @@ TEST(StreetLanes, ArrowsStandOnLanesBeforeCrossingsAndNowhereElse)
                                   {"turn:lanes", "left|through|through;right"}});
     EXPECT_EQ(oneway, (std::vector<std::string>{"arrowLeft+", "arrowStraight+", "arrowStraightRight+",
                                                 "arrowLeft+", "arrowStraight+", "arrowStraightRight+"}));
+    const auto ofBuses = crossing({{"highway", "primary"},
+                                   {"oneway", "yes"},
+                                   {"lanes", "2"},
+                                   {"bus:lanes", "yes|designated"},
+                                   {"turn:lanes", "left;through|right"},
+                                   {"turn:bus:lanes", "left|through;right"}});
+    EXPECT_EQ(ofBuses, (std::vector<std::string>{"arrowStraightLeft+", "arrowStraightRight+",
+                                                 "arrowStraightLeft+", "arrowStraightRight+"}))
+        << "that of buses on their lane alone";
+    const auto besideBicycles = crossing({{"highway", "primary"},
+                                          {"oneway", "yes"},
+                                          {"lanes", "2"},
+                                          {"vehicle:lanes", "yes|no|yes"},
+                                          {"bicycle:lanes", "yes|designated|yes"},
+                                          {"turn:lanes", "left|through|right"}});
+    EXPECT_EQ(besideBicycles,
+              (std::vector<std::string>{"arrowLeft+", "arrowRight+", "arrowLeft+", "arrowRight+"}))
+        << "without that of bicycles in the middle";
     EXPECT_EQ(
         crossing(
             {{"highway", "primary"}, {"lanes", "3"}, {"lanes:forward", "2"}, {"turn:lanes:forward", "left|"}})

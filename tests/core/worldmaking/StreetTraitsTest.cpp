@@ -167,6 +167,110 @@ TEST(StreetTraits, LanesForBusesLieWhereTheListHasThem)
                                                {"bus:lanes:backward", "designated|yes"}})));
 }
 
+TEST(StreetTraits, LanesThatAreClosedToCarsAreForThoseThatMayUseThem)
+{
+    // Three lanes against the way of cars and with it; the inner one with rails (a report of a converter).
+    expectLanes(
+        {{{{"highway", "tertiary"},
+           {"oneway", "yes"},
+           {"oneway:bus", "no"},
+           {"lanes", "3"},
+           {"lanes:forward", "2"},
+           {"lanes:backward", "1"},
+           {"bus:lanes:backward", "yes"},
+           {"vehicle:lanes:forward", "no|yes"}},
+          2,
+          1,
+          0,
+          1,
+          1},
+         {{{"highway", "tertiary"}, {"oneway", "yes"}, {"vehicle:lanes", "yes|yes|no"}}, 3, 0, 0, 1, 0},
+         {{{"highway", "tertiary"}, {"lanes", "4"}, {"access:lanes:backward", "yes|no"}}, 2, 2, 0, 0, 1},
+         {{{"highway", "tertiary"},
+           {"lanes", "4"},
+           {"access:lanes:forward", "no|yes"},
+           {"motor_vehicle:lanes:forward", "yes|"}},
+          2,
+          2,
+          0,
+          0,
+          0},
+         // Lists count the lane for bicycles, `lanes` does not.
+         {{{"highway", "tertiary"},
+           {"oneway", "yes"},
+           {"lanes", "2"},
+           {"vehicle:lanes", "yes|no|no"},
+           {"bus:lanes", "yes|designated|no"},
+           {"bicycle:lanes", "no|no|designated"}},
+          2,
+          0,
+          0,
+          1,
+          0},
+         // A lane for bicycles against a one-way street is no lane for buses.
+         {{{"highway", "tertiary"},
+           {"oneway", "yes"},
+           {"vehicle:lanes:backward", "no"},
+           {"bicycle:lanes:backward", "designated"}},
+          1,
+          0,
+          0,
+          0,
+          0}});
+    const auto inner =
+        traitsOf({{"highway", "tertiary"}, {"oneway", "yes"}, {"lanes", "2"}, {"vehicle:lanes", "no|yes"}});
+    EXPECT_EQ(inner->forwardBusLanes, 0b01U) << "the left one";
+}
+
+TEST(StreetTraits, ALaneForBicyclesAtTheEdgeOfAListIsACycleLane)
+{
+    using worldmaking::CycleWay;
+    const auto sides = [](Tags tags)
+    {
+        tags.emplace("highway", "tertiary");
+        const auto traits = traitsOf(tags);
+        return std::pair(traits->leftCycles, traits->rightCycles);
+    };
+    const std::pair none{CycleWay::none, CycleWay::none}, right{CycleWay::none, CycleWay::lane};
+    EXPECT_EQ(sides({{"oneway", "yes"}, {"lanes", "1"}, {"bicycle:lanes", "|designated"}}), right);
+    EXPECT_EQ(sides({{"lanes", "2"},
+                     {"vehicle:lanes:forward", "yes|no"},
+                     {"bicycle:lanes:forward", "|yes"},
+                     {"lanes:forward", "1"}}),
+              right);
+    EXPECT_EQ(sides({{"oneway", "yes"}, {"lanes", "2"}, {"bicycle:lanes", "yes|designated|yes"}}), none)
+        << "in the middle";
+    EXPECT_EQ(sides({{"oneway", "yes"}, {"lanes", "2"}, {"bicycle:lanes", "yes|designated"}}), none)
+        << "both are for cars";
+    EXPECT_EQ(sides({{"oneway", "yes"}, {"bicycle:lanes", "|designated"}, {"vehicle:lanes", "|yes"}}), none)
+        << "cars, too";
+    EXPECT_EQ(sides({{"lanes:backward", "1"}, {"bicycle:lanes:backward", "|designated"}}),
+              std::pair(CycleWay::lane, CycleWay::none));
+    EXPECT_EQ(
+        sides({{"oneway", "yes"}, {"bicycle:lanes", "|designated"}, {"cycleway:right", "track"}}).second,
+        CycleWay::track);
+}
+
+TEST(StreetTraits, AStreetForBusesAloneIsNotClosed)
+{
+    expectLanes(
+        {{{{"highway", "residential"}, {"access", "no"}, {"bus", "yes"}, {"psv", "yes"}, {"lanes", "2"}},
+          1,
+          1,
+          0,
+          1,
+          1},
+         {{{"highway", "service"}, {"motor_vehicle", "no"}, {"psv", "designated"}, {"oneway", "yes"}},
+          1,
+          0,
+          0,
+          1,
+          0},
+         {{{"highway", "residential"}, {"bus", "yes"}}, 1, 1, 0, 0, 0}});
+    EXPECT_FALSE(traitsOf({{"highway", "residential"}, {"access", "no"}, {"bus", "no"}}));
+    EXPECT_FALSE(traitsOf({{"highway", "residential"}, {"access", "no"}, {"bicycle", "yes"}}));
+}
+
 TEST(StreetTraits, ABuswayHasLanesForBusesAlone)
 {
     expectLanes({{{{"highway", "busway"}}, 1, 1, 0, 1, 1},
