@@ -24,6 +24,8 @@ using osgRoads::core::PlanElement;
 using osgRoads::core::PlanPoint;
 
 constexpr double kHeightStepM = 4.0;
+constexpr double kHeightTurnRad = 0.2; ///< and in bends no more than this: a plane's lean turns with them
+constexpr int kMostHeightSteps = 100;
 
 /// The cubic from 0 with one slope to `rise` with another, over a parameter from 0 to 1.
 CurveCoefficients hermite(double startSlope, double rise, double endSlope)
@@ -43,10 +45,21 @@ PlanElement curveBetween(const LaneGate& from, const LaneGate& to)
     return {0.0, lengthM, from.edge, from.headingRad, ParametricCubic::normalized(u, v, lengthM)};
 }
 
-/// Heights and lean of a plane along a curve, exact at every kHeightStepM in value and slope.
+/// How many pieces of equal length heights along a curve need.
+int heightSteps(const osgRoads::core::Road& road)
+{
+    constexpr int kSamples = 32;
+    double sharpest = 0.0;
+    for (int i = 0; i <= kSamples; ++i)
+        sharpest = std::max(sharpest, std::fabs(road.referenceLine.at(road.length * i / kSamples).curvature));
+    const double steps = road.length * std::max(1.0 / kHeightStepM, sharpest / kHeightTurnRad);
+    return static_cast<int>(std::clamp(std::ceil(steps), 1.0, static_cast<double>(kMostHeightSteps)));
+}
+
+/// Heights and lean of a plane along a curve, exact at the ends of all pieces in value and slope.
 void layOnPlane(osgRoads::core::Road& road, const CrossingPlane& plane)
 {
-    const int count = std::max(1, static_cast<int>(std::ceil(road.length / kHeightStepM)));
+    const int count = glm::length(plane.gradient) > 0.0 ? heightSteps(road) : 1;
     std::vector<Cubic> heights, leans;
     const double stepM = road.length / count;
     struct Sample

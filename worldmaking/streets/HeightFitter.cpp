@@ -59,13 +59,13 @@ public:
 
     void addRow(const HeightRow& row, const StreetChain& chain)
     {
-        if (const auto area = _nodes.areaAt(chain.startCrossing)) tie(*area, row, 0, row.stepM);
+        if (const auto area = _nodes.areaAt(chain.startCrossing)) tie(*area, row, false);
         for (std::size_t k = 0; k < row.last(); ++k)
         {
             const double mostM = std::min(row.steepest[k], row.steepest[k + 1]) * row.stepM;
             steps.push_back({row.first + k, row.first + k + 1, -mostM, mostM});
         }
-        if (const auto area = _nodes.areaAt(chain.endCrossing)) tie(*area, row, row.last(), -row.stepM);
+        if (const auto area = _nodes.areaAt(chain.endCrossing)) tie(*area, row, true);
     }
 
     void addOverpass(const OverpassNodes& pass)
@@ -83,16 +83,16 @@ public:
     std::vector<HeightStep> steps;
 
 private:
-    /// Holds the mouth of a road, and the node after it, in the plane of an area. `inwardM`: from the mouth
-    /// along s to that node.
-    void tie(std::size_t area, const HeightRow& row, std::size_t mouth, double inwardM)
+    /// Holds the mouth of a road, and the nodes after it that lie in the plane of an area.
+    void tie(std::size_t area, const HeightRow& row, bool isEnd)
     {
         const CrossingPlane& plane = _planes[area];
-        const double rise = glm::dot(plane.gradient, row.points[mouth].position - plane.middle);
-        const double nextRise = rise + inwardM * plane.gradeAlong(row.points[mouth]);
-        const std::size_t next = inwardM > 0.0 ? mouth + 1 : mouth - 1;
-        steps.push_back({area, row.first + mouth, rise, rise});
-        steps.push_back({area, row.first + next, nextRise, nextRise});
+        for (std::size_t i = 0; i <= (isEnd ? row.heldEnd : row.heldStart); ++i)
+        {
+            const std::size_t node = isEnd ? row.last() - i : i;
+            const double rise = glm::dot(plane.gradient, row.points[node].position - plane.middle);
+            steps.push_back({area, row.first + node, rise, rise});
+        }
     }
 
     const HeightNodes& _nodes;
@@ -211,8 +211,11 @@ private:
                            {
                                const HeightRow& row = _nodes.rows[arm.chain];
                                const std::size_t mouth = row.first + _nodes.mouth(arm);
-                               return isStrained[mouth] != 0 ||
-                                      isStrained[arm.isEnd ? mouth - 1 : mouth + 1] != 0;
+                               const std::size_t held = arm.isEnd ? row.heldEnd : row.heldStart;
+                               const auto first = isStrained.begin() + static_cast<std::ptrdiff_t>(
+                                                                           arm.isEnd ? mouth - held : mouth);
+                               return std::any_of(first, first + static_cast<std::ptrdiff_t>(held) + 1,
+                                                  [](char node) { return node != 0; });
                            });
     }
 

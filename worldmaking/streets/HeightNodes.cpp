@@ -9,6 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "worldmaking/streets/SharedPaving.h"
+
 namespace worldmaking
 {
 
@@ -39,6 +41,18 @@ HeightRow rowOf(const StreetGraph& graph, const StreetChain& chain, const Centre
         row.isTunnel.push_back(traits.place == StreetPlace::tunnel);
     }
     return row;
+}
+
+/// Holds as many nodes in the planes of the crossings as lie beside other arms, and one more: the curve
+/// between two nodes follows those around them, too. Some in the middle stay free.
+void holdShared(HeightRow& row, const ChainCut& shared)
+{
+    const auto heldFor = [&](double sharedM)
+    { return 1 + static_cast<std::size_t>(std::ceil(sharedM / row.stepM)); };
+    row.heldStart = heldFor(shared.startM), row.heldEnd = heldFor(shared.endM);
+    const std::size_t most = std::max<std::size_t>(2, row.last() > 3 ? row.last() - 3 : 0);
+    while (row.heldStart + row.heldEnd > most)
+        --(row.heldStart >= row.heldEnd ? row.heldStart : row.heldEnd);
 }
 
 /// Crossings that become one area, each with the box of its mouths.
@@ -133,6 +147,9 @@ HeightNodes heightNodesOf(const StreetGraph& graph, const std::vector<CentreLine
     HeightNodes nodes;
     for (std::size_t i = 0; i < graph.chains.size(); ++i)
         nodes.rows.push_back(rowOf(graph, graph.chains[i], lines[i], cuts[i]));
+    const auto shared = sharedPaving(graph, lines, cuts);
+    for (std::size_t i = 0; i < graph.chains.size(); ++i)
+        holdShared(nodes.rows[i], shared[i]);
     addAreas(graph, nodes);
     nodes.count = nodes.areas.size();
     for (HeightRow& row : nodes.rows)

@@ -33,8 +33,12 @@ struct HeightRow
     std::vector<double> steepest; ///< that the class of the street allows at each node
     std::vector<char> isFree;     ///< of each node: on a bridge or in a tunnel
     std::vector<char> isTunnel;   ///< of each node
+    /// So many nodes after the first and before the last lie in the planes of the crossings there: one, and
+    /// more where the road shares its paving with other arms.
+    std::size_t heldStart = 1, heldEnd = 1;
 
     std::size_t last() const { return points.size() - 1; }
+    bool isHeld(std::size_t k) const { return k <= heldStart || k + heldEnd >= last(); }
     double lengthM() const { return stepM * static_cast<double>(last()); }
 
     /// The nodes before and after a place of the road, as places in this row.

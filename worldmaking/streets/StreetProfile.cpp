@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "worldmaking/streets/ConnectingRoad.h"
+
 namespace worldmaking
 {
 
@@ -17,14 +19,31 @@ using osgRoads::core::CubicProfile;
 constexpr double kFadeM = 25.0; ///< over which a road turns out of the plane of a crossing
 constexpr int kSmoothings = 2;
 
-/// Rounds bends; the two nodes at each end stay.
-void smooth(std::vector<double>& heights)
+/// Rounds bends; the nodes that are held in planes stay.
+void smooth(const HeightRow& row, std::vector<double>& heights)
 {
     for (int pass = 0; pass < kSmoothings; ++pass)
     {
         const std::vector<double> old = heights;
         for (std::size_t k = 2; k + 2 < heights.size(); ++k)
-            heights[k] = 0.25 * (old[k - 1] + 2.0 * old[k] + old[k + 1]);
+            if (!row.isHeld(k)) heights[k] = 0.25 * (old[k - 1] + 2.0 * old[k] + old[k + 1]);
+    }
+}
+
+/// Sets the coefficients of held nodes so that the spline lies in the planes: less a sixth of the second
+/// differences of the plane along the line, which bends.
+void layHeld(const HeightRow& row, const EndPlanes& planes, std::vector<double>& heights)
+{
+    const bool isOnePlane = planes.isOne();
+    const std::size_t last = row.last();
+    for (std::size_t k = 1; k < last; ++k)
+    {
+        const bool isOfStart = k <= row.heldStart || (isOnePlane && 2 * k <= last);
+        const bool isOfEnd = k + row.heldEnd >= last || isOnePlane;
+        const CrossingPlane* plane = isOfStart ? planes.start : isOfEnd ? planes.end : nullptr;
+        if (!plane) continue;
+        const auto at = [&](std::size_t node) { return plane->at(row.points[node].position); };
+        heights[k] = at(k) - (at(k - 1) - 2.0 * at(k) + at(k + 1)) / 6.0;
     }
 }
 
@@ -64,24 +83,86 @@ CubicProfile elevationOf(const HeightRow& row, std::vector<double> heights, cons
     return CubicProfile(std::move(pieces));
 }
 
+/// How a plane leans across a road at one of its nodes.
+struct Lean
+{
+    double rad = 0.0, rate = 0.0; ///< rad/m along the road
+};
+
+Lean leanAt(const CrossingPlane* plane, const osgRoads::core::PlanPoint& point)
+{
+    if (!plane) return {};
+    const double across = plane->leanAcross(point);
+    return {std::atan(across), -point.curvature * plane->gradeAlong(point) / (1.0 + across * across)};
+}
+
+/// Collects the pieces of a road's superelevation.
+class LeanPieces
+{
+public:
+    explicit LeanPieces(const HeightRow& row) : _row(row) {}
+
+    /// In a plane, from one node to another.
+    void addHeld(const CrossingPlane* plane, std::size_t first, std::size_t last)
+    {
+        for (std::size_t k = first; k < last; ++k)
+            add(placeOf(k), _row.stepM, leanAt(plane, _row.points[k]), leanAt(plane, _row.points[k + 1]));
+    }
+
+    /// Out of one plane, upright, and into another; straight from one to the other where there is little
+    /// room.
+    void addBetween(const EndPlanes& planes, std::size_t first, std::size_t last)
+    {
+        const Lean start = leanAt(planes.start, _row.points[first]),
+                   end = leanAt(planes.end, _row.points[last]);
+        const double fromM = placeOf(first), lengthM = placeOf(last) - fromM;
+        if (lengthM < 2.0 * kFadeM && planes.start && planes.end) return add(fromM, lengthM, start, end);
+        const double fadeM = std::min(kFadeM, 0.5 * lengthM);
+        add(fromM, fadeM, start, {});
+        if (lengthM > 2.0 * fadeM) add(fromM + fadeM, lengthM - 2.0 * fadeM, {}, {});
+        add(fromM + lengthM - fadeM, fadeM, {}, end);
+    }
+
+    CubicProfile profile() { return _isLevel ? CubicProfile() : CubicProfile(std::move(_pieces)); }
+
+private:
+    double placeOf(std::size_t k) const { return static_cast<double>(k) * _row.stepM; }
+
+    void add(double s, double lengthM, const Lean& from, const Lean& to)
+    {
+        _isLevel = _isLevel && from.rad == 0.0 && to.rad == 0.0;
+        _pieces.push_back(hermitePiece(s, lengthM, from.rad, from.rate, to.rad, to.rate));
+    }
+
+    const HeightRow& _row;
+    std::vector<Cubic> _pieces;
+    bool _isLevel = true;
+};
+
 CubicProfile superelevationOf(const HeightRow& row, const EndPlanes& planes)
 {
-    const double lengthM = row.lengthM(), fadeM = std::min(kFadeM, 0.5 * lengthM);
-    const double start = planes.start ? std::atan(planes.start->leanAcross(row.points.front())) : 0.0;
-    const double end = planes.end ? std::atan(planes.end->leanAcross(row.points.back())) : 0.0;
-    if (start == 0.0 && end == 0.0) return {};
-    const double two = fadeM * fadeM, three = two * fadeM;
-    std::vector<Cubic> pieces = {{0.0, start, 0.0, -3.0 * start / two, 2.0 * start / three}};
-    if (lengthM > 2.0 * fadeM) pieces.push_back({fadeM, 0.0, 0.0, 0.0, 0.0});
-    pieces.push_back({lengthM - fadeM, 0.0, 0.0, 3.0 * end / two, -2.0 * end / three});
-    return CubicProfile(std::move(pieces));
+    LeanPieces pieces(row);
+    const std::size_t last = row.last();
+    if (planes.isOne())
+    {
+        pieces.addHeld(planes.start, 0, last);
+        return pieces.profile();
+    }
+    // The last held node is there for the curve before it.
+    const std::size_t first = planes.start ? row.heldStart - 1 : 0,
+                      end = planes.end ? last + 1 - row.heldEnd : last;
+    pieces.addHeld(planes.start, 0, first);
+    pieces.addBetween(planes, first, end);
+    pieces.addHeld(planes.end, end, last);
+    return pieces.profile();
 }
 
 } // namespace
 
 StreetProfile profileOf(const HeightRow& row, std::vector<double> heightsM, const EndPlanes& planes)
 {
-    smooth(heightsM);
+    smooth(row, heightsM);
+    layHeld(row, planes, heightsM);
     return {elevationOf(row, std::move(heightsM), planes), superelevationOf(row, planes)};
 }
 

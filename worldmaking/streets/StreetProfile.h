@@ -48,11 +48,15 @@ struct EndPlanes
 {
     const CrossingPlane* start = nullptr;
     const CrossingPlane* end = nullptr;
+
+    /// Whether both ends lie in the plane of one area, and the road with them.
+    bool isOne() const { return start && start == end; }
 };
 
 /// Makes the profile of a road from the heights of its nodes: the pieces of a uniform cubic B-spline, nowhere
 /// steeper than from node to node. At its ends it has exactly the height, the grade and the lean of the
-/// planes, and comes upright over 25 m.
+/// planes; it lies in them as far as its nodes are held there, and all along where both are one; else it
+/// comes upright over 25 m, or where there is no room goes straight over from one to the other.
 /// Source: Farin, *Curves and Surfaces for CAGD*, 2002, chapter 8.
 StreetProfile profileOf(const HeightRow& row, std::vector<double> heightsM, const EndPlanes& planes);
 
