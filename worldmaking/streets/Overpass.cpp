@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -63,6 +64,25 @@ private:
     std::unordered_map<long long, std::vector<PieceRef>> _cells;
 };
 
+/// Crossings that have been found: one at a node of a line is that of both of its pieces.
+class KnownPlaces
+{
+public:
+    bool isNew(const Overpass& pass)
+    {
+        constexpr double kSameM = 0.05;
+        auto& placesM = _placesM[{pass.upper, pass.lower}];
+        for (const glm::dvec2& known : placesM)
+            if (std::fabs(known.x - pass.upperM) < kSameM && std::fabs(known.y - pass.lowerM) < kSameM)
+                return false;
+        placesM.emplace_back(pass.upperM, pass.lowerM);
+        return true;
+    }
+
+private:
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<glm::dvec2>> _placesM;
+};
+
 double cross(glm::dvec2 a, glm::dvec2 b)
 {
     return a.x * b.y - a.y * b.x;
@@ -99,6 +119,7 @@ Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>&
                         const std::vector<CentreLine>& lines)
 {
     Overpasses result;
+    KnownPlaces known;
     const auto traits = [&](const PieceRef& ref) -> const StreetTraits&
     { return graph.traitsAt(graph.chains[ref.chain], ref.piece); };
     const auto along = [&](const PieceRef& ref, double share)
@@ -117,6 +138,7 @@ Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>&
         if (!shares) continue;
         const int above = aboveOf(traits(a).level(), traits(b).level());
         Overpass pass{a.chain, b.chain, along(a, shares->x), along(b, shares->y)};
+        if (!known.isNew(pass)) continue;
         pass.sine = sineBetween(places[ends[1]] - places[ends[0]], places[ends[3]] - places[ends[2]]);
         if (above == 0)
         {

@@ -77,8 +77,13 @@ public:
         if (places.size() < 2) return;
         setHeights(index, pieces, places);
         _isOpen = false;
+        const std::size_t first = tracks.size();
         for (std::size_t i = 0; i + 1 < places.size(); ++i)
             addStep(index, pieces[i], places[i], places[i + 1]);
+        if (tracks[first].place == StreetPlace::tunnel)
+            tracks[first].isPortalAtStart = isPortalAt({index, false});
+        if (tracks.back().place == StreetPlace::tunnel)
+            tracks.back().isPortalAtEnd = isPortalAt({index, true});
     }
 
     std::vector<Track> tracks;
@@ -89,6 +94,30 @@ private:
         for (const TrackSpan& span : _from.spans)
             if (span.chain == index && alongM >= span.fromM && alongM <= span.toM) return StreetPlace::bridge;
         return _from.graph.traitsAt(_from.graph.chains[index], piece).place;
+    }
+
+    StreetPlace placeAtEnd(const StreetArm& arm) const
+    {
+        const StreetChain& chain = _from.graph.chains[arm.chain];
+        const double alongM = arm.isEnd ? _from.lines[arm.chain].lengthM() : 0.0;
+        return placeAt(arm.chain, arm.isEnd ? chain.pieces.size() - 1 : 0, alongM);
+    }
+
+    /// Whether a tunnel begins at the switch at an end of a chain: another track there lies outside. The
+    /// first of the tunnels that begin there has the portal.
+    bool isPortalAt(const StreetArm& end) const
+    {
+        const StreetChain& chain = _from.graph.chains[end.chain];
+        const int crossing = end.isEnd ? chain.endCrossing : chain.startCrossing;
+        if (crossing < 0) return false;
+        const StreetArm* firstTube = nullptr;
+        bool hasOpen = false;
+        for (const StreetArm& arm : _from.graph.crossings[static_cast<std::size_t>(crossing)].arms)
+            if (placeAtEnd(arm) != StreetPlace::tunnel)
+                hasOpen = true;
+            else if (!firstTube)
+                firstTube = &arm;
+        return hasOpen && firstTube && firstTube->chain == end.chain && firstTube->isEnd == end.isEnd;
     }
 
     void setHeights(std::size_t index, const std::vector<std::size_t>& pieces,
@@ -143,19 +172,27 @@ private:
         return weights > 0.0 ? std::optional(sumM / std::max(1.0, weights)) : std::nullopt;
     }
 
-    /// By how much rails come to the street of a level crossing.
+    /// By how much rails come to the streets of the level crossings before and behind.
     double flushM(std::size_t index, const TrackPlace& at) const
     {
-        double sumM = 0.0;
+        const LevelHeight *before = nullptr, *behind = nullptr;
         for (const LevelHeight& level : _from.heights.levels)
         {
             if (level.track != index) continue;
-            const double away = std::fabs(at.alongM - level.trackM) / kEaseM;
-            if (away >= 1.0) continue;
-            const double wasM = _from.heights.profiles[index].elevation.value(level.trackM);
-            sumM += (level.streetM + kFlushM - kRailTopM - wasM) * (1.0 - glm::smoothstep(0.0, 1.0, away));
+            const LevelHeight*& nearest = level.trackM <= at.alongM ? before : behind;
+            if (!nearest || std::fabs(level.trackM - at.alongM) < std::fabs(nearest->trackM - at.alongM))
+                nearest = &level;
         }
-        return sumM;
+        const auto riseM = [&](const LevelHeight* level)
+        {
+            if (!level) return 0.0;
+            const double wasM = _from.heights.profiles[index].elevation.value(level->trackM);
+            const double away = std::fabs(at.alongM - level->trackM) / kEaseM;
+            return (level->streetM + kFlushM - kRailTopM - wasM) * (1.0 - glm::smoothstep(0.0, 1.0, away));
+        };
+        if (!before || !behind) return riseM(before) + riseM(behind);
+        const double share = glm::smoothstep(before->trackM, behind->trackM, at.alongM);
+        return std::lerp(riseM(before), riseM(behind), share);
     }
 
     /// Goes on with the last stretch, or begins one.

@@ -85,6 +85,43 @@ TEST(Crossings, ALevelCrossingStaysLevelAndTheRailsLieInTheStreet)
     EXPECT_TRUE(made.faults().empty());
 }
 
+TEST(Crossings, TwoStreetsBesideEachOtherCrossARailwayOnTheirLevels)
+{
+    // Carriageways of one road, 14 m apart, on a slope along the railway.
+    MadeMap map;
+    for (const double northM : {-7.0, 7.0})
+        map.way({map.node(-400, northM), map.node(0, northM), map.node(400, northM)},
+                {{"highway", "secondary"}, {"oneway", "yes"}, {"name", northM < 0.0 ? "first" : "second"}});
+    map.way({map.node(0, -300), map.node(0, -7), map.node(0, 7), map.node(0, 300)}, {{"railway", "rail"}});
+    const MadeCrossing made = crossingOf(map, [](double eastM, double northM)
+                                         { return 200.0 + 0.02 * northM + 0.5 * std::sin(0.02 * eastM); });
+    EXPECT_TRUE(made.faults().empty());
+    for (const char* name : {"first", "second"})
+    {
+        const Road& road = made.road(name);
+        const double streetM = road.elevation.value(0.5 * road.length);
+        const glm::dvec2 at = road.referenceLine.at(0.5 * road.length).position;
+        for (const RailLine& line : made.rails())
+            for (const glm::dvec3& place : line.points)
+                if (glm::distance(glm::dvec2(place), at) < 0.5)
+                {
+                    EXPECT_NEAR(place.z + kRailTopM, streetM, 0.05) << name;
+                }
+    }
+}
+
+TEST(Crossings, AtANodeOfOneLineAloneCountOnce)
+{
+    MadeMap map;
+    map.way({map.node(-400, 0), map.node(0, 0), map.node(400, 0)},
+            {{"highway", "secondary"}, {"name", "main"}});
+    map.way({map.node(0, -300), map.node(0, 300)}, {{"railway", "rail"}}); // no node where they cross
+    const MadeCrossing made = crossingOf(map);
+    EXPECT_EQ(made.streets.report.overpassesLeftOpen, 1u);
+    EXPECT_EQ(made.streets.report.notes.size(), 1u);
+    EXPECT_TRUE(made.faults().empty());
+}
+
 TEST(Crossings, AStreetOverAStreetOverARailwayHasThreeLevels)
 {
     MadeMap map;
