@@ -66,6 +66,11 @@ public:
                            road(fault.road) + " with " + clear(fault),
                        "give its way and the street layers that tell which is above, and its path room for a "
                        "ramp or stairs");
+        case CrossingFlaw::lines:
+            return add(fault.place,
+                       std::string(fault.isUpperFootbridge ? "a footbridge" : "a railway") + " passes over " +
+                           (fault.isLowerFootbridge ? "a footbridge" : "a railway") + " with " + clear(fault),
+                       "give both ways layers that tell which is above, and the upper one a longer approach");
         case CrossingFlaw::railEnd:
             if (fault.road < 0)
                 return add(fault.place, "rails meet in a step of " + number(fault.foundM, "%.1f m"),

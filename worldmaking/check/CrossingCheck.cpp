@@ -31,6 +31,7 @@ constexpr double kMostRoofM = 0.5;    ///< above the ground
 constexpr double kJoinM = 0.5, kMostRailStepM = 0.3;
 constexpr double kEndBesideM = 3.0;     ///< from the end of rails to the lanes that they end at
 constexpr double kRailUnderDeckM = 9.0; ///< below a road, where rails do not end
+constexpr double kWalkersM = 2.5, kLeastWalkersM = 2.2;
 
 /// A piece of a road or a railway between two places.
 struct WayStretch
@@ -83,11 +84,14 @@ public:
         for (std::size_t i = 0; i < _stretches.size(); ++i)
         {
             const WayStretch& stretch = _stretches[i];
-            if (stretch.road < 0) continue;
             _grid.near(boxOf({glm::dvec2(stretch.from), glm::dvec2(stretch.to)}),
                        [&](std::size_t j)
                        {
-                           if (_stretches[j].road < 0 || j > i) lookAt(stretch, _stretches[j]);
+                           const bool isRoad = _stretches[j].road >= 0;
+                           if (stretch.road < 0 && !isRoad && j > i)
+                               lookAtLines(stretch, _stretches[j]);
+                           else if (stretch.road >= 0 && (!isRoad || j > i))
+                               lookAt(stretch, _stretches[j]);
                        });
         }
     }
@@ -188,6 +192,28 @@ private:
             lookAtLine(a, s, at, _rails[b.rail], otherM);
     }
 
+    /// Railways and footbridges.
+    void lookAtLines(const WayStretch& a, const WayStretch& b)
+    {
+        const RailLine &first = _rails[a.rail], &second = _rails[b.rail];
+        if (a.rail == b.rail || first.isTube || second.isTube) return;
+        const auto shares =
+            crossingShares(glm::dvec2(a.from), glm::dvec2(a.to), glm::dvec2(b.from), glm::dvec2(b.to));
+        if (!shares) return;
+        const glm::dvec3 at = glm::mix(a.from, a.to, shares->x);
+        const double otherM = std::lerp(b.from.z, b.to.z, shares->y);
+        const bool isFirstAbove = at.z >= otherM;
+        const RailLine &upper = isFirstAbove ? first : second, &lower = isFirstAbove ? second : first;
+        const double apartM = std::fabs(at.z - otherM), topM = lower.isFootbridge ? 0.0 : kRailTopM;
+        if (apartM <= topM + kSameLevelM) return; // they meet, or cross on one level
+        CrossingFault fault{CrossingFlaw::lines};
+        fault.isUpperFootbridge = upper.isFootbridge, fault.isLowerFootbridge = lower.isFootbridge;
+        fault.foundM = apartM - topM - (upper.isFootbridge ? scenery::kFootDeckM : kTrackDeckM);
+        if (lower.isFootbridge && fault.foundM >= kLeastWalkersM) return;
+        if (lower.isFootbridge) fault.wantedM = kWalkersM;
+        note(fault, {glm::dvec2(at), std::max(at.z, otherM)});
+    }
+
     void lookAtRoads(const WayStretch& a, double s, const glm::dvec3& at, const WayStretch& b, double otherS,
                      double otherM)
     {
@@ -210,13 +236,12 @@ private:
 
     void lookAtFootbridge(const WayStretch& a, double s, const glm::dvec3& at, double deckM)
     {
-        constexpr double kWalkersM = 2.2;
         const double aboveM = at.z - deckM;
         if (std::fabs(aboveM) <= kSameLevelM || isTube(_roads->road(a.road), s)) return;
         CrossingFault fault{CrossingFlaw::footbridge, a.road, -1, s};
         fault.isRoadAbove = aboveM > 0.0;
         fault.foundM = fault.isRoadAbove ? aboveM - kRoadDeckM : -aboveM - scenery::kFootDeckM;
-        if (fault.isRoadAbove && fault.foundM >= kWalkersM) return;
+        if (fault.isRoadAbove && fault.foundM >= kLeastWalkersM) return;
         note(fault, at);
     }
 
@@ -241,7 +266,7 @@ private:
     void note(CrossingFault fault, const glm::dvec3& place)
     {
         if (fault.foundM >= kLeastClearM) return;
-        fault.wantedM = kClearM;
+        if (fault.wantedM == 0.0) fault.wantedM = kClearM;
         fault.place = place;
         for (const CrossingFault& known : faults) // two stretches meet at the crossing
             if (known.flaw == fault.flaw && known.road == fault.road && known.other == fault.other &&

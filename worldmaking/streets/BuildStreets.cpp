@@ -16,6 +16,7 @@
 #include "worldmaking/streets/CoverCrossings.h"
 #include "worldmaking/streets/CrossedWays.h"
 #include "worldmaking/streets/CrossingNotes.h"
+#include "worldmaking/streets/FootLevels.h"
 #include "worldmaking/streets/ImpliedBridges.h"
 #include "worldmaking/streets/Overpass.h"
 #include "worldmaking/streets/StreetHeights.h"
@@ -163,6 +164,7 @@ Crossings crossingsOf(const AllWays& ways, std::size_t tracks, const LandMap& la
         if (pass.upper < crossings.tracks && pass.lower >= crossings.tracks)
             crossings.levels.push_back({pass.upper, pass.lower, pass.upperM, pass.lowerM});
     crossings.crossed = crossedPlaces(ways.graph, ways.places, ways.lines, land, plane);
+    crossings.footLevels = footLevels(ways.graph, ways.places, ways.lines, land, plane);
     return crossings;
 }
 

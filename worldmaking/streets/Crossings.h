@@ -21,7 +21,8 @@ struct LevelPlace
 struct Crossings
 {
     std::vector<Overpass> overpasses;
-    std::vector<Overpass> leftOpen; ///< crossings that the map leaves open
+    std::vector<Overpass> leftOpen;   ///< crossings that the map leaves open
+    std::vector<Overpass> footLevels; ///< with the bridge of a path between both
     std::vector<LevelPlace> levels;
     std::vector<CrossedPlace> crossed;
     std::size_t tracks = 0; ///< the first chain of a railway

@@ -13,11 +13,13 @@
 #include <foundation/TagQuantity.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "scenery/buildings/Outline.h"
 #include "scenery/structures/Footbridge.h"
 #include "worldmaking/map/PlaceKey.h"
 #include "worldmaking/plan/Waters.h"
+#include "worldmaking/streets/FootLevels.h"
 #include "worldmaking/streets/LaneLayout.h"
 #include "worldmaking/streets/PathTags.h"
 #include "worldmaking/streets/PlanPieces.h"
@@ -29,7 +31,7 @@ namespace
 {
 
 constexpr double kFootStepM = 2.5;                           ///< between heights along a footbridge
-constexpr double kWalkersM = 2.5, kOverWaterM = 0.9;         ///< clear
+constexpr double kOverWaterM = 0.9;                          ///< clear
 constexpr std::array<double, 4> kRamps{0.1, 0.2, 0.35, 0.6}; ///< the last ones are stairs
 constexpr double kStairGrade = 0.35;                         ///< as steep as this are stairs
 constexpr double kStairsFall = 0.5;                          ///< of a way that the map says is stairs
@@ -64,6 +66,16 @@ struct FootLine
             sumM += glm::distance(points[i], points[i + 1]);
         return sumM;
     }
+    /// Whether it passes over another somewhere.
+    bool passesOver(const FootLine& other) const
+    {
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            for (std::size_t j = 0; j + 1 < other.points.size(); ++j)
+                if (aboveOf(levels[i], other.levels[j]) > 0 &&
+                    crossingShares(points[i], points[i + 1], other.points[j], other.points[j + 1]))
+                    return true;
+        return false;
+    }
     void reverse()
     {
         std::reverse(points.begin(), points.end());
@@ -85,6 +97,14 @@ struct FootLimit
 {
     double alongM = 0.0, halfM = 0.0, heightM = 0.0;
     bool takesPier = true; ///< what passes there has no room for a pier
+};
+
+/// A piece of a footbridge that is made: its surface at both ends.
+struct MadeStretch
+{
+    glm::dvec3 from{0.0}, to{0.0};
+    WayLevel level;
+    double halfM = 1.25;
 };
 
 /// Joins lines of bridges that go on in each other: where two ends meet, and no third.
@@ -156,8 +176,7 @@ public:
             else if (levelOf(shape.tags).place == StreetPlace::ground)
                 addPath(std::move(line));
         }
-        for (const FootLine& bridge : joinedLines(std::move(bridges)))
-            build(bridge);
+        buildAll(joinedLines(std::move(bridges)));
         if (_lacking > kMostFootNotes)
             made.notes.push_back(std::to_string(_lacking) + " footbridges have too little room in all");
     }
@@ -170,6 +189,28 @@ private:
         _pathEnds[line.keys.front()].push_back(_paths.size());
         _pathEnds[line.keys.back()].push_back(_paths.size());
         _paths.push_back(std::move(line));
+    }
+
+    /// Builds bridges, the longest first, but each after those that it passes over.
+    void buildAll(const std::vector<FootLine>& bridges)
+    {
+        PlanGrid grid;
+        for (std::size_t i = 0; i < bridges.size(); ++i)
+            grid.add(i, boxOf(bridges[i].points));
+        std::vector<char> isBegun(bridges.size(), 0);
+        const std::function<void(std::size_t)> visit = [&](std::size_t i)
+        {
+            if (isBegun[i] != 0) return;
+            isBegun[i] = 1;
+            grid.near(boxOf(bridges[i].points),
+                      [&](std::size_t other)
+                      {
+                          if (other != i && bridges[i].passesOver(bridges[other])) visit(other);
+                      });
+            build(bridges[i]);
+        };
+        for (std::size_t i = 0; i < bridges.size(); ++i)
+            visit(i);
     }
 
     /// The height at the end of a bridge: of the bridge that it joins, the street that it ends on, the
@@ -256,6 +297,15 @@ private:
         bridge.piersM = piersOf(alongM.back(), least);
         for (std::size_t i = 0; i < nodes.size(); ++i)
             _decks.try_emplace(line.keys[i], heightsM[nodes[i]]);
+        for (std::size_t i = 0, stretch = 0; i + 1 < points.size(); ++i)
+        {
+            while (stretch + 1 < line.levels.size() && nodes[stretch + 1] <= i)
+                ++stretch;
+            _madeGrid.add(_stretches.size(), boxOf({points[i], points[i + 1]}));
+            _stretches.push_back({glm::dvec3(points[i], heightsM[i]),
+                                  glm::dvec3(points[i + 1], heightsM[i + 1]), line.levels[stretch],
+                                  0.5 * line.widthM});
+        }
         made.made.push_back(std::move(bridge));
         for (auto& ramp : ramps)
             if (ramp && !ramp->points.empty()) made.made.push_back(std::move(*ramp));
@@ -281,6 +331,9 @@ private:
             _pieces.crossing(from, to, take);
             const auto look = [&](std::size_t other) { addOther(line, i, other, startM, least); };
             _grid.near({glm::min(from, to), glm::max(from, to)}, look);
+            const auto lookAbove = [&](std::size_t below)
+            { addMade(line, i, _stretches[below], startM, least); };
+            _madeGrid.near({glm::min(from, to), glm::max(from, to)}, lookAbove);
             startM += lengthM;
         }
     }
@@ -301,12 +354,10 @@ private:
         const double alongM = startM + shares.y * glm::length(way);
         if (above < 0)
         {
-            const double deckM = traits.isTrack ? kTrackDeckM : kRoadDeckM;
-            most.push_back({alongM, halfM, heightM - deckM - kWalkersM});
+            most.push_back({alongM, halfM, heightM - footbridgeBelowM(traits)});
             return;
         }
-        const double roomM = !traits.isTrack ? kClearM : traits.hasWire ? 6.2 : kRailTopM + kClearM;
-        least.push_back({alongM, halfM, heightM + roomM + scenery::kFootDeckM + 0.1});
+        least.push_back({alongM, halfM, heightM + footbridgeAboveM(traits)});
     }
 
     /// Paths and water below.
@@ -346,8 +397,20 @@ private:
             const bool isJoint =
                 glm::distance(at, line.points.front()) < 0.1 || glm::distance(at, line.points.back()) < 0.1;
             if (!(isPath && isJoint))
-                add(shares->x, isPath ? 1.5 : 1.0, isPath ? kWalkersM : kOverWaterM, isPath);
+                add(shares->x, isPath ? 1.5 : 1.0, isPath ? kWalkersClearM : kOverWaterM, isPath);
         }
+    }
+
+    /// A footbridge of a lower layer, which is made already.
+    static void addMade(const FootLine& line, std::size_t stretch, const MadeStretch& below, double startM,
+                        std::vector<FootLimit>& least)
+    {
+        const glm::dvec2 from = line.points[stretch], to = line.points[stretch + 1];
+        const auto shares = crossingShares(from, to, glm::dvec2(below.from), glm::dvec2(below.to));
+        if (!shares || aboveOf(line.levels[stretch], below.level) <= 0) return;
+        const double heightM = glm::mix(below.from.z, below.to.z, shares->y);
+        least.push_back({startM + shares->x * glm::distance(from, to), below.halfM,
+                         heightM + kWalkersClearM + scenery::kFootDeckM});
     }
 
     /// A way down from an end of a bridge: empty where it needs none; nothing where there is no room.
@@ -466,7 +529,9 @@ private:
     std::vector<std::pair<std::size_t, std::vector<std::vector<glm::dvec2>>>> _others; ///< paths and water
     std::vector<FootLine> _paths;
     std::map<PlaceKey, std::vector<std::size_t>> _pathEnds;
-    std::map<PlaceKey, double> _decks; ///< of bridges that are made
+    std::map<PlaceKey, double> _decks;   ///< of bridges that are made
+    std::vector<MadeStretch> _stretches; ///< likewise
+    PlanGrid _madeGrid;                  ///< of them
     std::size_t _lacking = 0;
 };
 

@@ -51,8 +51,14 @@ public:
     {
         std::vector<char> hasStart(nodes.rows.size(), 0), hasEnd = hasStart;
         for (const CrossingArea& area : nodes.areas)
+        {
+            const auto isTube = [&](const StreetArm& arm)
+            { return nodes.rows[arm.chain].isTunnel[nodes.mouth(arm)] != 0; };
+            const auto tubes = std::count_if(area.arms.begin(), area.arms.end(), isTube);
             for (const StreetArm& arm : area.arms)
-                (arm.isEnd ? hasEnd : hasStart)[arm.chain] = 1;
+                if (tubes < 2 || !isTube(arm)) // tunnels that part at their portal take it below
+                    (arm.isEnd ? hasEnd : hasStart)[arm.chain] = 1;
+        }
         _hasStart = std::move(hasStart), _hasEnd = std::move(hasEnd);
     }
 
@@ -147,9 +153,9 @@ std::vector<scenery::HeightBound> heightBoundsOf(const HeightNodes& nodes, const
             place.isStreetAbove ? maker.addLeast(place.chain, k, *groundM + place.apartM)
                                 : maker.addMost(place.chain, k, *groundM - place.apartM);
     }
-    for (const Overpass& pass : crossings.overpasses)
+    const auto addApart = [&](const Overpass& pass)
     {
-        if (pass.isUpperLifted == pass.isLowerSunk) continue;
+        if (pass.isUpperLifted == pass.isLowerSunk) return;
         const HeightRow &upper = nodes.rows[pass.upper], &lower = nodes.rows[pass.lower];
         const auto above = upper.around(pass.upperM - cuts[pass.upper].startM),
                    below = lower.around(pass.lowerM - cuts[pass.lower].startM);
@@ -157,7 +163,10 @@ std::vector<scenery::HeightBound> heightBoundsOf(const HeightNodes& nodes, const
             for (const std::size_t b : below)
                 pass.isUpperLifted ? maker.addLeast(pass.upper, a, wishesM[lower.first + b] + pass.riseM)
                                    : maker.addMost(pass.lower, b, wishesM[upper.first + a] - pass.riseM);
-    }
+    };
+    for (const auto* passes : {&crossings.overpasses, &crossings.footLevels})
+        for (const Overpass& pass : *passes)
+            addApart(pass);
     return std::move(maker.bounds);
 }
 

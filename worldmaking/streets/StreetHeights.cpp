@@ -47,6 +47,9 @@ FitLimits limitsOf(const HeightNodes& nodes, const std::vector<ChainCut>& cuts, 
     for (const Overpass& pass : crossings.overpasses)
         limits.overpasses.push_back({nodesAt(pass.lower, pass.lowerM), nodesAt(pass.upper, pass.upperM),
                                      pass.riseM, limits.overpasses.size()});
+    for (const Overpass& pass : crossings.footLevels)
+        limits.overpasses.push_back({nodesAt(pass.lower, pass.lowerM), nodesAt(pass.upper, pass.upperM),
+                                     pass.riseM, limits.overpasses.size()});
     for (const LevelPlace& level : crossings.levels)
         limits.levels.push_back({nodeAt(level.street, level.streetM), nodeAt(level.track, level.trackM)});
     return limits;
@@ -135,6 +138,8 @@ StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>&
     for (const int area : nodes.areaOf)
         result.planes.push_back(fitted.planes[static_cast<std::size_t>(area)]);
     result.lost = fitted.lost;
+    std::erase_if(result.lost, [&](std::size_t pass) // what a footbridge lacks is told with it
+                  { return pass >= crossings.overpasses.size(); });
     for (const LevelPlace& level : crossings.levels)
         result.levels.push_back(
             {level.track, level.trackM,

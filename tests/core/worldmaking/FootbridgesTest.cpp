@@ -187,6 +187,86 @@ TEST(Footbridges, OfSeveralWaysAreOneAndThoseBelowStreetsStayLow)
     EXPECT_TRUE(both.faults().empty());
 }
 
+TEST(Footbridges, BetweenTwoStreetsKeepBothFarEnoughApart)
+{
+    const auto expect = [](const TagList& below, double footAboveM)
+    {
+        MadeMap map;
+        addStreet(map, 0, "high", {{"highway", "secondary"}, {"bridge", "yes"}, {"layer", "2"}}, 100.0);
+        map.way({map.node(0, -400), map.node(0, 400)}, below);
+        const int a = map.node(-120, -90), b = map.node(-25, -20), c = map.node(25, 18),
+                  d = map.node(120, 90); // over the one below and under the bridge
+        map.way({a, b}, {{"highway", "footway"}});
+        map.way({b, c}, {{"highway", "footway"}, {"bridge", "yes"}, {"layer", "1"}});
+        map.way({c, d}, {{"highway", "footway"}});
+        const MadeCrossing made = crossingOf(map);
+        const Footbridge& foot = bridgeOf(made.streets);
+        const Road& high = made.road("high");
+        const double underM = heightNear(foot, {0.0, 0.0});
+        EXPECT_GE(underM, footAboveM) << below.begin()->second;
+        EXPECT_GE(high.elevation.value(0.5 * high.length) - underM, 2.5 + kRoadDeckM - 0.4)
+            << below.begin()->second;
+        EXPECT_TRUE(made.faults().empty()) << below.begin()->second;
+        EXPECT_TRUE(made.streets.report.notes.empty()) << below.begin()->second;
+    };
+    expect({{"highway", "secondary"}}, 205.0);
+    expect({{"railway", "rail"}, {"electrified", "contact_line"}}, 206.6);
+    expect({{"railway", "rail"}, {"usage", "main"}}, 205.5);
+}
+
+TEST(Footbridges, PassOverEachOtherByTheirLayers)
+{
+    const auto expect = [](const char* firstLayer, const char* secondLayer, double firstHalfM)
+    {
+        MadeMap map;
+        addMain(map);
+        addBridged(map, 0, firstHalfM, {{"highway", "path"}},
+                   {{"highway", "path"}, {"bridge", "yes"}, {"layer", firstLayer}});
+        const int a = map.node(-150, 10), b = map.node(-40, 10), c = map.node(40, 10), d = map.node(150, 10);
+        map.way({a, b}, {{"highway", "path"}});
+        map.way({b, c}, {{"highway", "path"}, {"bridge", "yes"}, {"layer", secondLayer}});
+        map.way({c, d}, {{"highway", "path"}});
+        const MadeCrossing made = crossingOf(map);
+        std::vector<double> heightsM; // of both where they cross
+        for (const Footbridge& bridge : made.streets.footbridges)
+            if (!bridge.isRamp)
+            {
+                const bool isAlong = std::fabs(bridge.points.front().x - bridge.points.back().x) > 30.0;
+                heightsM.push_back(heightNear(
+                    bridge,
+                    {bridge.points.front().x + (isAlong ? 40.0 : 0.0),
+                     isAlong ? bridge.points.front().y : bridge.points.front().y + firstHalfM + 10.0}));
+            }
+        ASSERT_EQ(heightsM.size(), 2u);
+        EXPECT_GE(std::fabs(heightsM[0] - heightsM[1]), 2.5) << firstLayer << secondLayer;
+        EXPECT_TRUE(made.faults().empty()) << firstLayer << secondLayer;
+    };
+    expect("1", "2", 20.0);
+    expect("1", "2", 60.0); // the longer one, which would be built first, is below
+    expect("2", "1", 20.0);
+    expect("3", "1", 60.0);
+}
+
+TEST(CrossingCheck, SeesFootbridgesAndRailwaysThatAreTooCloseToEachOther)
+{
+    MadeMap map;
+    map.way({map.node(-300, 250), map.node(300, 250)});
+    map.way({map.node(-300, 0), map.node(300, 0)}, {{"railway", "rail"}});
+    addBridged(map, 0, 40, {{"highway", "path"}}, {{"highway", "path"}, {"bridge", "yes"}});
+    const MadeCrossing made = crossingOf(map);
+    EXPECT_TRUE(made.faults().empty());
+    auto lines = made.rails();
+    for (RailLine& line : lines)
+        for (glm::dvec3& place : line.points)
+            place.z -= line.isFootbridge ? 2.0 : 0.0;
+    const auto faults = made.faultsWith(lines);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].flaw, CrossingFlaw::lines);
+    EXPECT_TRUE(faults[0].isUpperFootbridge && !faults[0].isLowerFootbridge);
+    EXPECT_NEAR(faults[0].foundM, 2.6, 0.1);
+    EXPECT_EQ(faults[0].wantedM, 4.5);
+}
+
 TEST(CrossingCheck, SeesAFootbridgeThatIsTooLow)
 {
     MadeMap map;
@@ -300,6 +380,33 @@ TEST(RailTunnels, OnLevelGroundAreDugInFromPortalToPortalAndShareATube)
     ASSERT_EQ(faults.size(), 2u);
     EXPECT_EQ(faults[0].flaw, CrossingFlaw::tunnel);
     EXPECT_EQ(faults[0].road, -1);
+}
+
+TEST(RailTunnels, BeginWithOnePortalAtASwitch)
+{
+    MadeMap map;
+    map.way({map.node(-300, 290), map.node(300, 290)});
+    const int a = map.node(-1200, 0), b = map.node(-150, 0), c = map.node(150, 0), d = map.node(150, 40),
+              e = map.node(1200, 0);
+    map.way({a, b}, {{"railway", "rail"}});
+    map.way({b, c}, {{"railway", "rail"}, {"tunnel", "yes"}, {"layer", "-1"}});
+    map.way({b, d}, {{"railway", "rail"}, {"tunnel", "yes"}, {"layer", "-1"}}); // parts in the portal
+    map.way({c, e}, {{"railway", "rail"}});
+    const auto hill = [](double eastM, double) { return 200.0 + 30.0 * std::exp(-eastM * eastM / 1e4); };
+    const MadeCrossing made = crossingOf(map, hill);
+    std::size_t portals = 0, tubes = 0;
+    for (const Track& track : made.streets.tracks)
+    {
+        if (track.place != StreetPlace::tunnel)
+        {
+            EXPECT_FALSE(track.isPortalAtStart || track.isPortalAtEnd);
+            continue;
+        }
+        ++tubes;
+        portals += (track.isPortalAtStart ? 1u : 0u) + (track.isPortalAtEnd ? 1u : 0u);
+    }
+    EXPECT_EQ(tubes, 2u);
+    EXPECT_EQ(portals, 2u) << "one at the switch, one at the other end, none where the map ends";
 }
 
 TEST(Crossings, OverAnAreaOfWaterBridgesOfStreetsAndRailwaysKeepClearOfIt)
