@@ -109,7 +109,7 @@ TrafficSink parseSink(ElementReader reader)
 {
     reader.allowChildren({"Position", "TrafficDefinition"});
     TrafficSink sink;
-    sink.perSecond = reader.optionalNumber("rate");
+    if (reader.has("rate")) sink.perSecond = reader.notNegative("rate");
     sink.radiusM = reader.notNegative("radius");
     sink.position = parsePosition(reader.child("Position"));
     for (const TrafficKind& kind : parseMix(reader).kinds)

@@ -35,6 +35,8 @@ public:
                 action(content);
         }
         _isInit = false;
+        for (const GlobalAction& content : _scenario.storyboard.init.globals)
+            globalAction(content);
         for (const Story& story : _scenario.storyboard.stories)
         {
             _names.insert({StoryboardElementType::story, story.name});
@@ -122,6 +124,37 @@ private:
     {
         if (const auto* state = std::get_if<TrafficSignalStateAction>(&content))
             _signals.insert(state->signal);
+        if (const auto* traffic = std::get_if<TrafficAction>(&content)) onTraffic(*traffic);
+    }
+
+    /// Looks for traffic that would not be there.
+    void onTraffic(const TrafficAction& traffic)
+    {
+        const std::string nobody = "no vehicle appears", all = "no vehicle vanishes";
+        if (const auto* source = std::get_if<TrafficSource>(&traffic.content))
+        {
+            onRoads(source->position, nobody);
+            if (source->perSecond == 0.0)
+                warn(traffic.source, "a TrafficSourceAction has the rate 0",
+                     nobody + "; write how many appear in a second");
+        }
+        if (const auto* sink = std::get_if<TrafficSink>(&traffic.content))
+        {
+            onRoads(sink->position, all);
+            if (sink->perSecond == 0.0)
+                warn(traffic.source, "a TrafficSinkAction has the rate 0",
+                     all + "; leave the rate out, or write how many vanish in a second");
+        }
+        const auto* swarm = std::get_if<TrafficSwarm>(&traffic.content);
+        const auto* area = std::get_if<TrafficArea>(&traffic.content);
+        if ((swarm && swarm->count == 0) || (area && area->count == 0))
+            warn(traffic.source, "a traffic action asks for 0 vehicles", nobody + "; write how many");
+        if (swarm && swarm->innerRadiusM >= swarm->semiMajorM)
+            warn(traffic.source, "the innerRadius of a TrafficSwarmAction is not within its ellipse",
+                 nobody + "; make semiMajorAxis the larger one");
+        if (area)
+            for (const RoadStretch& stretch : area->stretches)
+                (void)onRoad(stretch.roadId, stretch.fromM, traffic.source, nobody + " there");
     }
 
     /// Looks at the places of a trajectory; without one of them it is not followed.

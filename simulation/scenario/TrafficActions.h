@@ -56,7 +56,7 @@ struct TrafficSource
 /// Lets vehicles vanish that come near a place.
 struct TrafficSink
 {
-    std::optional<double> perSecond; ///< nothing: all of them
+    std::optional<double> perSecond; ///< nothing: all of them; 0: none
     double radiusM = 0.0;
     Position position;
     std::vector<std::string> categories; ///< of the vehicles that vanish; empty: all

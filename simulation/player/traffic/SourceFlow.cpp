@@ -71,14 +71,14 @@ public:
     void step(TrafficScene& scene) override
     {
         const auto centre = scene.positions().place(_sink.position);
-        if (!centre) return;
+        if (!centre || _sink.perSecond == 0.0) return;
         for (int i = 0; i < static_cast<int>(scene.scenario().entities.size()); ++i)
         {
             const bool isThere = scene.isTraffic(i) && scene.isPresent(i) && takes(scene, i);
             if (!isThere || scene.timeS() < _nextS - kAtOnceS) continue;
             if (glm::length(scene.motion(i).state().position - centre->position) > _sink.radiusM) continue;
             scene.vanish(i);
-            if (_sink.perSecond && *_sink.perSecond > 0.0) _nextS = scene.timeS() + 1.0 / *_sink.perSecond;
+            if (_sink.perSecond) _nextS = scene.timeS() + 1.0 / *_sink.perSecond;
         }
     }
 

@@ -222,11 +222,37 @@ TEST(TrafficSink, LetsVehiclesVanishNearItsPlace)
     // One each 4 s: that of 0 s at 4.7 s; that of 2 s is gone past at 6.7 to 7.3 s, since the next is taken
     // from 8.7 s on.
     expectPlaces(placesAfter(withSink(R"(radius="3" rate="0.25")"), 10.0), {180, 140, 120, 100});
+    expectPlaces(placesAfter(withSink(R"(radius="3" rate="0")"), 10.0), {200, 180, 160, 140, 120, 100});
     expectPlaces(
         placesAfter(withSink("radius=\"3\"",
                              definition(R"(<VehicleCategoryDistributionEntry category="bus" weight="1"/>)")),
                     10.0),
         {200, 180, 160, 140, 120, 100});
+}
+
+TEST(Traffic, ThatWouldNotBeThereIsTold)
+{
+    const auto told = [](const std::string& actions) -> std::string
+    {
+        const auto player = trafficPlayer(trafficText(actions));
+        return player && player->warnings().size() == 1 ? player->warnings()[0].message() : std::string();
+    };
+    const auto sink = [](const std::string& rate)
+    {
+        return trafficAction("<TrafficSinkAction radius=\"9\"" + rate + ">" + onLaneAt(500.0) +
+                             "</TrafficSinkAction>");
+    };
+    std::string nobody = swarm("");
+    nobody.replace(nobody.find("numberOfVehicles=\"6\""), 20, "numberOfVehicles=\"0\"");
+    for (const auto& [line, said] :
+         {std::pair(told(trafficAction(source(100.0, R"(rate="0" radius="0" speed="10")"))),
+                    "the rate 0; instead: no vehicle appears; write how many appear"),
+          std::pair(told(sink(" rate=\"0\"")), "the rate 0; instead: no vehicle vanishes"),
+          std::pair(told(trafficAction(nobody)), "asks for 0 vehicles; instead: no vehicle appears")})
+        EXPECT_NE(line.find(said), std::string::npos) << said << ": " << line;
+    for (const std::string rate : {"", " rate=\"0.5\""}) // the control
+        EXPECT_EQ(told(sink(rate)), "") << rate;
+    EXPECT_EQ(told(trafficAction(source(100.0))), "");
 }
 
 TEST(TrafficSink, LeavesTheEntitiesOfTheFile)
