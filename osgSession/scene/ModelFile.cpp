@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <osg/Notify>
+#include <osgDB/FileNameUtils>
 #include <osgDB/ReadFile>
 
 #include <osgPMObjects/MissingImages>
@@ -43,6 +45,22 @@ std::vector<std::string> notesOf(const osgPMObjects::MissingImages& missing,
     return notes;
 }
 
+/// Adds what our own plugins say of a file in the descriptions of its node: what is wrong with it or left
+/// out.
+void addDescriptions(const osg::Node& node, const std::filesystem::path& file,
+                     std::vector<std::string>& notes)
+{
+    const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
+    if (suffix != "xodr" && suffix != "gltf" && suffix != "glb" && suffix != "pm") return;
+    for (const std::string& said : node.getDescriptions())
+    {
+        const bool isThere =
+            std::any_of(notes.begin(), notes.end(),
+                        [&](const std::string& note) { return note.find(said) != std::string::npos; });
+        if (!isThere) notes.push_back(said.starts_with(file.string()) ? said : file.string() + ": " + said);
+    }
+}
+
 } // namespace
 
 foundation::Result<ModelFromFile> readModel(const std::filesystem::path& file, const std::string& remedy)
@@ -56,7 +74,12 @@ foundation::Result<ModelFromFile> readModel(const std::filesystem::path& file, c
     const osgPMObjects::MissingImages missing;
     osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
     osg::setNotifyHandler(before);
-    if (node) return ModelFromFile{node, notesOf(missing, file)};
+    if (node)
+    {
+        std::vector<std::string> notes = notesOf(missing, file);
+        addDescriptions(*node, file, notes);
+        return ModelFromFile{node, std::move(notes)};
+    }
     const std::string reason = words->line().empty() ? "" : " (" + words->line() + ")";
     return foundation::Error{file.string(), "cannot be read by OpenSceneGraph" + reason, remedy};
 }

@@ -17,7 +17,8 @@ namespace trainer
 struct ModelFromFile
 {
     osg::ref_ptr<osg::Node> node;
-    std::vector<std::string> notes; ///< one for each image that is missing
+    /// One for each image that is missing; of roads, glTF and .pm what is wrong or left out besides.
+    std::vector<std::string> notes;
 };
 
 /// Reads a file in any format that OpenSceneGraph has a plugin for.

@@ -82,16 +82,39 @@ double heightAt(const Road& road, const RoadPlace& place)
     return osgRoads::core::surfaceHeight(road, place.s, t);
 }
 
+std::vector<foundation::Error> mistakesOf(const osgRoads::core::ReadNetwork& read, const std::string& file)
+{
+    constexpr std::size_t kMost = 10;
+    std::vector<foundation::Error> mistakes;
+    std::size_t more = read.mistakesNotListed;
+    for (const osgRoads::core::Problem& problem : read.problems)
+    {
+        if (problem.kind != osgRoads::core::ProblemKind::mistake) continue;
+        if (mistakes.size() == kMost)
+            ++more;
+        else
+            mistakes.push_back(
+                {file + ":" + std::to_string(problem.line),
+                 problem.what + (problem.count > 1 ? " (" + std::to_string(problem.count) + " times)" : ""),
+                 problem.remedy});
+    }
+    if (more > 0)
+        mistakes.push_back(
+            {file, std::to_string(more) + " more such lines", "roadtool validate tells them all"});
+    return mistakes;
+}
+
 } // namespace
 
 foundation::Result<std::shared_ptr<const RoadScene>> RoadScene::open(const std::filesystem::path& file)
 {
     auto read = osgRoads::core::readNetwork(file);
     if (!read) return read.error();
-    return std::make_shared<const RoadScene>(std::move(read->network));
+    return std::make_shared<const RoadScene>(std::move(read->network), mistakesOf(*read, file.string()));
 }
 
-RoadScene::RoadScene(osgRoads::core::RoadNetwork network) : _network(std::move(network)), _locator(_network)
+RoadScene::RoadScene(osgRoads::core::RoadNetwork network, std::vector<foundation::Error> mistakes)
+    : _network(std::move(network)), _locator(_network), _mistakes(std::move(mistakes))
 {
 }
 

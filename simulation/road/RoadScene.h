@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <foundation/Result.h>
 #include <glm/vec2.hpp>
@@ -34,7 +35,11 @@ public:
     /// Errors: as osgRoads::core::readNetwork().
     static foundation::Result<std::shared_ptr<const RoadScene>> open(const std::filesystem::path& file);
 
-    explicit RoadScene(osgRoads::core::RoadNetwork network);
+    /// `mistakes`: of its file, as lines.
+    explicit RoadScene(osgRoads::core::RoadNetwork network, std::vector<foundation::Error> mistakes = {});
+
+    /// What breaks the standard in the file, and what is done instead: the first ten, and how many more.
+    const std::vector<foundation::Error>& mistakes() const { return _mistakes; }
 
     const osgRoads::core::RoadNetwork& network() const { return _network; }
     const osgRoads::core::Road& roadAt(const RoadPlace& place) const
@@ -84,6 +89,7 @@ private:
 
     osgRoads::core::RoadNetwork _network;
     osgRoads::core::RoadLocator _locator;
+    std::vector<foundation::Error> _mistakes;
 };
 
 } // namespace simulation

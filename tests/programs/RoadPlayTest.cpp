@@ -53,6 +53,29 @@ TEST(RoadPlay, ShowsTheRoadsOfAScenarioWhereItsPositionsAre)
     EXPECT_GT(greenBefore(place, "beside", R"(<WorldPosition x="31050" y="-17060"/>)"), 8);
 }
 
+/// CARLA 2940: a lane without a width is drawn 0 m wide; it was, without a word in all three.
+TEST(RoadPlay, TellsWhatIsWrongWithTheRoads)
+{
+    const Workplace place;
+    const std::string width = R"(<width sOffset="0" a="4" b="0" c="0" d="0"/>)",
+                      told = "road 1: lane 1 of the section at s 0 has neither width nor border";
+    const std::string scenario =
+        place.write("wrong.xosc", carAt(R"(<LanePosition roadId="1" laneId="-1" s="50"/>)"));
+    const auto says = [&](const std::vector<std::string>& words)
+    {
+        const ProgramRun run = runTrainer(words);
+        EXPECT_TRUE(succeeds(run)) << run.text();
+        return run.text().find(told) != std::string::npos;
+    };
+    for (const bool isWrong : {true, false})
+    {
+        place.write("road.xodr", isWrong ? with(kRoad, width, "") : kRoad);
+        EXPECT_EQ(says({"play", scenario, "--frames", "1", "--size", "64x36"}), isWrong);
+        EXPECT_EQ(says({"play", scenario, "--headless", "--duration", "1"}), isWrong);
+        EXPECT_EQ(says({"check", scenario}), isWrong);
+    }
+}
+
 /// Nothing of it is played: roads at a path were meant to be there. (It was played on level ground once, for
 /// 3 600 s, and a slip in the path looked like success.)
 TEST(RoadPlay, RefusesRoadsThatAreNotThere)

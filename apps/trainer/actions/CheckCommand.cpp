@@ -47,6 +47,9 @@ void addReferences(Finding& finding, const std::filesystem::path& file, simulati
     if (!ground) return add(Problem::Kind::invalid, ground.error());
     if (const auto& scene = ground->missing.scene) add(Problem::Kind::unsupported, *scene);
     if (const auto& roads = ground->missing.roads) return add(Problem::Kind::invalid, *roads);
+    if (ground->roads)
+        for (const foundation::Error& mistake : ground->roads->mistakes()) // of the roads, not the scenario
+            add(Problem::Kind::approximated, mistake);
     const auto player = osgSession::core::makePlayer(std::move(scenario), file, *ground,
                                                      simulation::FixedClock::forStep(0.01), 0);
     if (!player) return add(Problem::Kind::invalid, player.error());

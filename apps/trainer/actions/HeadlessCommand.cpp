@@ -27,6 +27,9 @@ foundation::Outcome playHeadless(const HeadlessRequest& request)
     if (!ground) return ground.error();
     if (const auto& roads = ground->missing.roads)
         std::fprintf(stderr, "warning: %s\n", roads->message().c_str());
+    if (ground->roads)
+        for (const foundation::Error& mistake : ground->roads->mistakes())
+            std::fprintf(stderr, "warning: %s\n", mistake.message().c_str());
     auto player = osgSession::core::makePlayer(std::move(parsed->scenario), request.scenario, *ground,
                                                simulation::FixedClock::forStep(request.stepS), request.seed);
     if (!player) return player.error();

@@ -233,9 +233,9 @@ TEST(RoadErrors, LaneWidths)
         told(replaced(text, "b=\"0\"", "b=\"-0.1\"")),
         Contains(Eq("a.xodr:6: road 1: lane 1 has a negative width down to -1.5 m; correct its width; 0 "
                     "is used there")));
-    EXPECT_THAT(
-        told(replaced(text, kWidth, "")),
-        Contains(Eq("a.xodr:6: road 1: lane 1 has neither width nor border; add a width; 0 is used")));
+    EXPECT_THAT(told(replaced(text, kWidth, "")),
+                Contains(Eq("a.xodr:6: road 1: lane 1 of the section at s 0 has neither width nor border; "
+                            "add a width; 0 is used")));
     EXPECT_THAT(told(replaced(text, "sOffset=\"0\"", "sOffset=\"4\"")),
                 Contains(testing::HasSubstr("the width of lane 1 begins at sOffset 4; begin it at 0")));
 }

@@ -133,6 +133,30 @@ TEST(NothingThere, AnEntityThatIsSentToNoRoadOrLaneLaterStaysAndIsTold)
     }
 }
 
+/// CARLA 2940: a lane without a width is there, 0 m wide; who plays a scenario on it is told.
+TEST(NothingThere, TheMistakesOfTheRoadsAreTold)
+{
+    const auto file = std::filesystem::temp_directory_path() / "osgtrainer-roads-with-mistakes.xodr";
+    const auto mistakesOf = [&](const std::string& lanes)
+    {
+        std::ofstream(file) << roadtexts::network(
+            roadtexts::road("1", 100.0, roadtexts::straightPlan(100.0) + lanes));
+        const auto roads = RoadScene::open(file);
+        EXPECT_TRUE(roads) << roads.error().message();
+        return roads ? (*roads)->mistakes() : std::vector<foundation::Error>();
+    };
+    EXPECT_TRUE(mistakesOf(roadtexts::twoLanes()).empty());
+    std::string wrong = roadtexts::twoLanes();
+    const std::size_t width = wrong.find("<width");
+    wrong.erase(width, wrong.find("/>", width) + 2 - width);
+    const auto mistakes = mistakesOf(wrong);
+    ASSERT_EQ(mistakes.size(), 1u);
+    EXPECT_NE(mistakes[0].message().find("road 1: lane 1 of the section at s 0 has neither width nor border"),
+              std::string::npos)
+        << mistakes[0].message();
+    std::filesystem::remove(file);
+}
+
 TEST(NothingThere, AChangeOfLaneWithoutRoadsIsLeftOutAndTold)
 {
     ScenarioText text;

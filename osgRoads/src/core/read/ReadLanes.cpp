@@ -56,7 +56,8 @@ void readLaneLinks(NodeReader& element, Lane& lane)
     std::erase(lane.successors, 0);
 }
 
-void readLaneWidth(NodeReader& element, Lane& lane)
+/// `sectionS`: where its section begins.
+void readLaneWidth(NodeReader& element, double sectionS, Lane& lane)
 {
     lane.width = element.profile("width", "sOffset");
     const CubicProfile border = element.profile("border", "sOffset");
@@ -69,7 +70,8 @@ void readLaneWidth(NodeReader& element, Lane& lane)
         element.mistake("lane " + std::to_string(lane.id) + " has width and border",
                         "keep one of them; the width is used");
     if (lane.id != 0 && lane.width.isEmpty())
-        element.mistake("lane " + std::to_string(lane.id) + " has neither width nor border",
+        element.mistake("lane " + std::to_string(lane.id) + " of the section at s " + shortNumber(sectionS) +
+                            " has neither width nor border",
                         "add a width; 0 is used");
     else if (lane.id != 0 && lane.width.pieces().front().s > 1e-6)
         element.mistake("the width of lane " + std::to_string(lane.id) + " begins at sOffset " +
@@ -77,7 +79,7 @@ void readLaneWidth(NodeReader& element, Lane& lane)
                         "begin it at 0; the width before is 0");
 }
 
-Lane readLane(NodeReader& element)
+Lane readLane(NodeReader& element, double sectionS)
 {
     Lane lane;
     lane.line = element.line();
@@ -86,7 +88,7 @@ Lane readLane(NodeReader& element)
     lane.isLevel = element.flag("level");
     lane.direction = element.choice("direction", kLaneDirections, LaneDirection::standard);
     readLaneLinks(element, lane);
-    readLaneWidth(element, lane);
+    readLaneWidth(element, sectionS, lane);
     lane.marks = readRoadMarks(element);
     element.each("height",
                  [&](NodeReader& entry)
@@ -146,10 +148,14 @@ LaneSection readSection(NodeReader& element)
     section.line = element.line();
     section.s = element.number("s");
     section.isSingleSide = element.flag("singleSide");
-    element.each("left", [&](NodeReader& side)
-                 { side.each("lane", [&](NodeReader& lane) { section.left.push_back(readLane(lane)); }); });
-    element.each("right", [&](NodeReader& side)
-                 { side.each("lane", [&](NodeReader& lane) { section.right.push_back(readLane(lane)); }); });
+    element.each(
+        "left", [&](NodeReader& side)
+        { side.each("lane", [&](NodeReader& lane) { section.left.push_back(readLane(lane, section.s)); }); });
+    element.each("right",
+                 [&](NodeReader& side) {
+                     side.each("lane",
+                               [&](NodeReader& lane) { section.right.push_back(readLane(lane, section.s)); });
+                 });
     bool hasCentre = false;
     element.each("center",
                  [&](NodeReader& side)
@@ -157,7 +163,7 @@ LaneSection readSection(NodeReader& element)
                      side.each("lane",
                                [&](NodeReader& lane)
                                {
-                                   section.centre = readLane(lane);
+                                   section.centre = readLane(lane, section.s);
                                    hasCentre = true;
                                });
                  });
