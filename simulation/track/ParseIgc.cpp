@@ -91,7 +91,11 @@ private:
                                             std::string(text.substr(0, 2)) + "T00:00:00Z");
             if (read)
             {
-                if (_fixes.empty()) _dayS = static_cast<double>(read->unixMilliseconds) / 1000.0;
+                const double dayS = static_cast<double>(read->unixMilliseconds) / 1000.0;
+                if (_fixes.empty())
+                    _dayS = dayS;
+                else
+                    _laterDays.push_back({_fixes.size(), dayS - _dayS});
                 return;
             }
         }
@@ -155,6 +159,7 @@ private:
             fixes.push_back(fix.fix);
         }
         addDays(fixes);
+        takeLaterDays(fixes);
         for (TrackFix& fix : fixes)
         {
             fix.timeS += _dayS;
@@ -162,9 +167,34 @@ private:
         }
     }
 
+    /// Puts the fixes behind a later date on its day, where their times alone do not tell it. A date that
+    /// stands a little before midnight is that of the fixes after midnight.
+    void takeLaterDays(std::vector<TrackFix>& fixes) const
+    {
+        constexpr double kDayLengthS = 86400.0, kMostDaysS = 30.0 * kDayLengthS, kLittleS = 3600.0;
+        for (const LaterDay& day : _laterDays)
+        {
+            if (day.first >= fixes.size()) continue;
+            const double timeS = fixes[day.first].timeS, beforeS = fixes[day.first - 1].timeS;
+            const double moreS = day.fromFirstS - kDayLengthS * std::floor(timeS / kDayLengthS);
+            const bool goesOn = timeS >= beforeS && timeS - beforeS < kLittleS && moreS <= kDayLengthS;
+            if (moreS <= 0.0 || moreS > kMostDaysS || goesOn) continue;
+            for (std::size_t i = day.first; i < fixes.size(); ++i)
+                fixes[i].timeS += moreS;
+        }
+    }
+
+    /// A date among the fixes.
+    struct LaterDay
+    {
+        std::size_t first = 0;   ///< fix behind it
+        double fromFirstS = 0.0; ///< from the first date to this one
+    };
+
     TrackBuilder _builder;
     std::string _name;
     std::vector<Fix> _fixes;
+    std::vector<LaterDay> _laterDays;
     double _dayS = 0.0;
     bool _isGeoid = false;
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <vector>
 
+#include <foundation/Angle.h>
 #include <foundation/NearestWord.h>
 #include <foundation/XmlSource.h>
 
@@ -32,7 +34,10 @@ public:
     {
         takeTracks(_source.root(), nullptr, {});
         if (!_hasFixes) takePoints(_source.root());
-        if (!_hasFixes) takeLines(_source.root(), "");
+        if (!_hasFixes) takeUntimed();
+        for (const Untimed& way : _untimed) // beside others that have times
+            lacksWhen(way.places.front());
+        if (!_hasFixes) takeLines(_source.root(), {}, "");
         return _builder.finish();
     }
 
@@ -124,6 +129,7 @@ private:
             first = first ? first : child;
             isByTurns = isByTurns || (isTime == isWhen(first) && !(isTime ? places : times).empty());
         }
+        if (times.empty() && !places.empty()) return _untimed.push_back({places, above.name, mode});
         if (isByTurns) return takeByTurns(track, first, mode);
         for (std::size_t i = 0; i < std::min(times.size(), places.size()); ++i)
             take(track, times[i], places[i], places[i].text().get(), mode);
@@ -131,6 +137,19 @@ private:
             lacksWhen(places[i]);
         for (std::size_t i = places.size(); i < times.size(); ++i)
             lacksCoord(times[i]);
+    }
+
+    /// Tracks without a single `when` are ways without times, where nothing in the file has times.
+    void takeUntimed()
+    {
+        for (const Untimed& way : _untimed)
+        {
+            FlightTrack& track = _builder.begin(std::string(way.name), datumOf(way.mode));
+            track.hasTimes = false;
+            for (const pugi::xml_node place : way.places)
+                take(track, {}, place, place.text().get(), way.mode);
+        }
+        _untimed.clear();
     }
 
     /// `leader`: the first of them; its kind comes first in each pair.
@@ -186,15 +205,15 @@ private:
             takePoints(child);
     }
 
-    /// Finds lines: ways without times.
-    void takeLines(pugi::xml_node node, std::string_view name)
+    /// Finds lines: ways without times, or with those of the TimeSpan of their `mark`.
+    void takeLines(pugi::xml_node node, pugi::xml_node mark, std::string_view name)
     {
-        if (plainName(node) == "Placemark") name = textOf(node, "name");
+        if (plainName(node) == "Placemark") mark = node, name = textOf(node, "name");
         for (pugi::xml_node child : node.children())
         {
             if (plainName(child) != "LineString")
             {
-                takeLines(child, name);
+                takeLines(child, mark, name);
                 continue;
             }
             const std::string_view mode = modeOf(child, {});
@@ -207,7 +226,31 @@ private:
                 take(track, {}, child, text.substr(0, end), mode);
                 text = trimmed(text.substr(end));
             }
+            if (childOf(mark, "LineString") == child) spreadTimes(track, childOf(mark, "TimeSpan"));
         }
+    }
+
+    /// Gives the fixes of a line the times of a span, by the way that lies behind them.
+    void spreadTimes(FlightTrack& track, pugi::xml_node span)
+    {
+        const auto begin = unixSeconds(textOf(span, "begin")), end = unixSeconds(textOf(span, "end"));
+        if (!begin || !end || !(*end > *begin)) return;
+        const auto isSame = [](const TrackFix& a, const TrackFix& b)
+        { return a.latitudeDeg == b.latitudeDeg && a.longitudeDeg == b.longitudeDeg; };
+        track.fixes.erase(std::unique(track.fixes.begin(), track.fixes.end(), isSame), track.fixes.end());
+        if (track.fixes.size() < 2) return;
+        std::vector<double> behindDeg{0.0};
+        for (std::size_t i = 1; i < track.fixes.size(); ++i)
+        {
+            const TrackFix &from = track.fixes[i - 1], &to = track.fixes[i];
+            const double narrow = std::cos(foundation::radiansOf(from.latitudeDeg));
+            const double eastDeg = foundation::wrappedDeg(to.longitudeDeg - from.longitudeDeg) * narrow;
+            behindDeg.push_back(behindDeg.back() + std::hypot(eastDeg, to.latitudeDeg - from.latitudeDeg));
+        }
+        for (std::size_t i = 0; i < track.fixes.size(); ++i)
+            track.fixes[i].timeS = *begin + (*end - *begin) * behindDeg[i] / behindDeg.back();
+        track.hasTimes = true;
+        _builder.note(_source.lineOf(span), "a line has the times of its TimeSpan at an even speed");
     }
 
     /// Where the first of several places ends: at a blank that no comma stands beside.
@@ -251,8 +294,16 @@ private:
         _hasFixes = _hasFixes || !track.fixes.empty();
     }
 
+    /// A Track without a `when`.
+    struct Untimed
+    {
+        std::vector<pugi::xml_node> places;
+        std::string_view name, mode;
+    };
+
     const foundation::XmlSource& _source;
     TrackBuilder _builder;
+    std::vector<Untimed> _untimed;
     bool _hasFixes = false;
 };
 

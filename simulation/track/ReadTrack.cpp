@@ -37,7 +37,7 @@ int rankOfFile(std::string_view name)
     if (name == "doc.kml") return 0;
     const std::string extension = extensionOf(file);
     if (extension == ".kml") return 1;
-    if (isTrackFile(file)) return 2;
+    if (namesTrackFile(file)) return 2;
     return extension == ".txt" ? 3 : 4;
 }
 
@@ -58,15 +58,22 @@ void nameTracks(TrackReading& reading, const std::filesystem::path& file)
     }
 }
 
-foundation::Result<TrackReading> parse(std::string_view text, const std::filesystem::path& file)
+/// The extension that tells the format of a file.
+std::string formatOf(const std::filesystem::path& file)
 {
-    const std::string name = file.string();
-    const std::string extension = extensionOf(file) == ".gz" ? extensionOf(file.stem()) : extensionOf(file);
+    return extensionOf(file) == ".gz" ? extensionOf(file.stem()) : extensionOf(file);
+}
+
+foundation::Result<TrackReading> parse(std::string_view text, const std::string& name,
+                                       const std::string& extension)
+{
     if (extension == ".igc") return parseIgc(text, name);
     if (extension == ".gpx") return parseGpx(text, name);
     if (extension == ".kml" || extension == ".kmz") return parseKml(text, name);
     if (extension == ".csv") return parseTrackTable(text, name);
     if (extension == ".acmi") return parseAcmi(text, name);
+    if (extension == ".zip")
+        return foundation::Error{name, "holds no recording", "pack an .igc, .gpx, .kml, .acmi or .csv file"};
     return foundation::Error{name, "is no track file by its name",
                              "name an .igc, .gpx, .kml, .kmz, .acmi or .csv file"};
 }
@@ -93,8 +100,10 @@ foundation::Result<TrackReading> parseZip(std::string_view zip, const std::files
         if (reading && !isRecording) return false; // the error of a recording says more
         const std::string at = file.string() + (inside.name.empty() ? "" : ": " + inside.name);
         foundation::Result<TrackReading> read =
-            inside.text ? parse(*inside.text, file)
-                        : foundation::Error{at, inside.reason, "copy the archive again, or unpack it"};
+            inside.text
+                ? parse(*inside.text, file.string(),
+                        formatOf(namesTrackFile(inside.name) ? std::filesystem::path(inside.name) : file))
+                : foundation::Error{at, inside.reason, "copy the archive again, or unpack it"};
         const bool isRead = static_cast<bool>(read);
         if (isRead && reading && *reading)
             append(**reading, std::move(*read), inside.name);
@@ -111,7 +120,7 @@ foundation::Result<TrackReading> parseZip(std::string_view zip, const std::files
 
 bool isTrackFile(const std::filesystem::path& file)
 {
-    return namesTrackFile(file);
+    return namesTrackFile(file) || extensionOf(file) == ".zip";
 }
 
 foundation::Result<TrackReading> readTracks(const std::filesystem::path& file)
@@ -131,7 +140,7 @@ foundation::Result<TrackReading> readTracks(const std::filesystem::path& file)
             return foundation::Error{name, "is damaged by its checksum", "copy it again, or unpack it"};
         text = std::move(*unpacked);
     }
-    auto reading = text.starts_with("PK\x03\x04") ? parseZip(text, file) : parse(text, file);
+    auto reading = text.starts_with("PK\x03\x04") ? parseZip(text, file) : parse(text, name, formatOf(file));
     if (reading) nameTracks(*reading, file);
     return reading;
 }

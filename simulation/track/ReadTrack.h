@@ -12,14 +12,15 @@
 namespace simulation
 {
 
-/// Returns whether a file is one of recorded tracks by its name, with .gz after it or without.
+/// Returns whether a file is one of recorded tracks by its name, with .gz after it or without, or an archive
+/// (.zip) that may hold some.
 bool isTrackFile(const std::filesystem::path& file);
 
 /// Reads the tracks of a file: .igc, .gpx, .kml, .kmz, .acmi, .csv, in small or capital letters; as they are,
 /// or compressed by gzip or in a zip archive, of which doc.kml or, where it has no position, all recordings
-/// are read. Each track has a name of its own. Errors, with the line: not a readable file, larger than 256
-/// MiB, of no known kind, damaged as a whole, without any position. A damaged record is a problem of the
-/// reading, with its line; the others are read.
+/// are read, each as its own name says. Each track has a name of its own. Errors, with the line: not a
+/// readable file, larger than 256 MiB, of no known kind, damaged as a whole, without any position. A damaged
+/// record is a problem of the reading, with its line; the others are read.
 foundation::Result<TrackReading> readTracks(const std::filesystem::path& file);
 
 // The same from a text; `name` stands for the file in errors.

@@ -7,6 +7,7 @@
 
 #include "simulation/track/FillHeights.h"
 #include "simulation/track/TrackTimes.h"
+#include "simulation/track/ZeroPlaces.h"
 
 namespace simulation
 {
@@ -79,10 +80,17 @@ foundation::Result<TrackReading> TrackBuilder::finish()
     for (std::size_t i = 0; i < _reading.tracks.size(); ++i)
     {
         FlightTrack& track = _reading.tracks[i];
+        std::vector<int> lines;
+        const std::vector<std::size_t> zeros = dropZeroPlaces(track, lines);
+        for (const int line : lines)
+            problem(line, "the position is 0 degrees north and east, far from the others");
         if (!track.hasTimes) continue;
         std::vector<std::size_t> parts;
         for (const auto& [of, first] : _parts)
-            if (of == i) parts.push_back(first);
+            if (of == i)
+                parts.push_back(first -
+                                static_cast<std::size_t>(std::lower_bound(zeros.begin(), zeros.end(), first) -
+                                                         zeros.begin()));
         const TimeOrder order = orderInTime(track.fixes, parts);
         for (const TrackProblem& fault : order.dropped)
             problem(fault.line, fault.what);

@@ -123,6 +123,15 @@ TEST(ZipArchive, OtherFilesAreLookedAtWhereTheFirstHasNoPosition)
                 isDeflated)),
             "z");
     }
+    // Files of other formats are read as their own names say, in a KMZ and in a plain archive.
+    const std::string gpx =
+        "<gpx><trk><name>g</name><trkseg><trkpt lat=\"46\" lon=\"8\"/></trkseg></trk></gpx>";
+    for (const char* archive : {"f.kmz", "f.zip", "F.ZIP"})
+        EXPECT_EQ(nameIn(zipOf({{"readme.txt", "words"}, {"a/b/flight.GPX", gpx}}, true), archive), "g")
+            << archive;
+    EXPECT_NE(nameIn(zipOf({{"readme.txt", "words"}}, true), "f.zip").find("holds no recording"),
+              std::string::npos);
+    EXPECT_TRUE(isTrackFile("flights.zip"));
     EXPECT_NE(nameIn(zipOf({{"doc.kml", link}, {"icon.png", "PNG"}}, true)).find("holds no position"),
               std::string::npos);
 }
