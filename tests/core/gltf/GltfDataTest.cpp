@@ -250,6 +250,57 @@ TEST(GltfData, OtherVersionsAreNamed)
     }
 }
 
+/// assimp 6473, 6876: places near the end of a number, and values beyond a view that its buffer still holds.
+TEST(GltfData, ValuesLieWithinTheirView)
+{
+    const auto model = [](const std::string& place)
+    {
+        ModelText text;
+        const int corners = text.view(std::vector<float>{0, 0, 0, 2, 0, 0, 0, 2, 0});
+        (void)text.view(std::vector<float>(12, 1.0f)); // of others
+        text.attributes =
+            "\"POSITION\":" + std::to_string(text.accessor("\"bufferView\":" + std::to_string(corners) + "," +
+                                                           place + kTriangle));
+        return parsed(text.text());
+    };
+    EXPECT_TRUE(model(""));
+    EXPECT_TRUE(model("\"byteOffset\":0,"));
+    for (const char* place : {"\"byteOffset\":4,", "\"byteOffset\":36,",
+                              "\"byteOffset\":18446744073709551608,", "\"byteOffset\": -8,"})
+    {
+        const auto read = model(place);
+        ASSERT_FALSE(read) << place;
+        EXPECT_EQ(read.error().place, "test.gltf");
+    }
+    EXPECT_NE(model("\"byteOffset\" : -8,").error().message().find("has a byteOffset below 0"),
+              std::string::npos);
+}
+
+/// assimp 6634: indices that are no whole triangles.
+TEST(GltfData, ATriangleWithoutAllItsCornersIsTold)
+{
+    for (const auto& [count, faces, refused] :
+         {std::tuple(6, 2u, 0u), std::tuple(5, 1u, 1u), std::tuple(4, 1u, 1u), std::tuple(1, 0u, 1u)})
+    {
+        ModelText text;
+        const int corners = text.view(std::vector<float>{0, 0, 0, 2, 0, 0, 0, 2, 0, 2, 2, 0});
+        std::vector<std::uint16_t> indices{0, 1, 2, 2, 1, 3};
+        indices.resize(static_cast<std::size_t>(count));
+        const int view = text.view(indices);
+        text.attributes = "\"POSITION\":" +
+                          std::to_string(text.accessor("\"bufferView\":" + std::to_string(corners) +
+                                                       R"(,"componentType":5126,"type":"VEC3","count":4)"));
+        text.primitive = ",\"indices\":" +
+                         std::to_string(text.accessor("\"bufferView\":" + std::to_string(view) +
+                                                      R"(,"componentType":5123,"type":"SCALAR","count":)" +
+                                                      std::to_string(count)));
+        const auto read = parsed(text.text());
+        ASSERT_TRUE(read) << read.error().message();
+        EXPECT_EQ(read->mesh.faces.size(), faces) << count;
+        EXPECT_EQ(read->report.refusedFaces, refused) << count;
+    }
+}
+
 TEST(GltfData, ATextureTransformMovesTheCoordinates)
 {
     ModelText model;

@@ -52,8 +52,10 @@ std::optional<Bytes> bytesIn(const tinygltf::Model& model, int viewNumber, std::
     const std::size_t element = static_cast<std::size_t>(size) * static_cast<std::size_t>(kind.components);
     const std::size_t stride = view->byteStride == 0 ? element : view->byteStride;
     const std::size_t all = buffer->data.size();
-    if (stride < element || view->byteOffset > all || offset > all - view->byteOffset) return {};
-    const std::size_t room = all - view->byteOffset - offset;
+    if (stride < element || view->byteOffset > all) return {};
+    const std::size_t ofView = std::min(all - view->byteOffset, view->byteLength);
+    if (offset > ofView) return {};
+    const std::size_t room = ofView - offset;
     if (kind.count == 0) return Bytes{};
     if (element > room || kind.count - 1 > (room - element) / stride) return {};
     return Bytes{buffer->data.data() + view->byteOffset + offset,

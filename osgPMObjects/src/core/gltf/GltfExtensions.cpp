@@ -213,6 +213,24 @@ bool giveViews(json& model)
     return isChanged;
 }
 
+/// Refuses sizes and places below 0, which the parser takes for 0.
+foundation::Outcome checkSigns(std::string_view text, const std::string& name)
+{
+    constexpr const char* kBlanks = " \t\r\n";
+    for (const std::string_view key : {"\"byteOffset\"", "\"byteLength\"", "\"byteStride\"", "\"count\""})
+        for (std::size_t at = text.find(key); at != text.npos; at = text.find(key, at + 1))
+        {
+            const std::size_t colon = text.find_first_not_of(kBlanks, at + key.size());
+            if (colon == text.npos || text[colon] != ':') continue;
+            const std::size_t value = text.find_first_not_of(kBlanks, colon + 1);
+            if (value != text.npos && text[value] == '-')
+                return foundation::Error{name,
+                                         "has a " + std::string(key.substr(1, key.size() - 2)) + " below 0",
+                                         "export the model again"};
+        }
+    return foundation::success();
+}
+
 } // namespace
 
 foundation::Outcome prepareExtensions(std::string& bytes, const std::string& name, GltfReport& report)
@@ -220,6 +238,7 @@ foundation::Outcome prepareExtensions(std::string& bytes, const std::string& nam
     const auto place = jsonPlaceOf(bytes);
     if (!place) return foundation::success();
     const std::string_view text = std::string_view(bytes).substr(place->offset, place->length);
+    if (const auto checked = checkSigns(text, name); !checked) return checked;
     const auto has = [&](const char* word) { return text.find(word) != text.npos; };
     if (!has("\"extensions") && !has("\"sparse\"") && !has("\"minVersion\"") && has("\"2.0\""))
         return foundation::success(); // needs no look

@@ -127,8 +127,11 @@ void GltfPrimitiveReader::takeTriangles(const tinygltf::Primitive& primitive)
         for (std::size_t i = 1; i + 1 < n; ++i)
             take(indices[0], indices[i], indices[i + 1]);
     else
+    {
         for (std::size_t i = 0; i + 2 < n; i += 3)
             take(indices[i], indices[i + 1], indices[i + 2]);
+        if (n % 3 != 0) ++_into.report.refusedFaces; // its other corners are not there
+    }
 }
 
 void GltfPrimitiveReader::take(std::uint32_t a, std::uint32_t b, std::uint32_t c)
