@@ -146,16 +146,16 @@ inline Result<Utf8Text> Utf8Text::of(std::string_view text, std::string encoding
         result._markBytes = 3;
         encoding.clear();
     }
-    else if (encoding.starts_with("UTF") || encoding.starts_with("UCS") || encoding.starts_with("ISO-10646"))
-        encoding.clear(); // whatever it says, it is written in bytes
+    else if (encoding.starts_with("UTF") || encoding.starts_with("UCS") ||
+             encoding.starts_with("ISO-10646") || encoding == "US-ASCII" || encoding == "ASCII")
+        encoding.clear(); // whatever it says, it is written in bytes; ASCII has no others than UTF-8
     if (encoding.empty())
     {
         result.mend(text.substr(result._markBytes));
         return result;
     }
     int line = 0;
-    const bool isLatin = encoding == "ISO-8859-1" || encoding == "ISO_8859-1" || encoding == "LATIN1" ||
-                         encoding == "US-ASCII" || encoding == "ASCII";
+    const bool isLatin = encoding == "ISO-8859-1" || encoding == "ISO_8859-1" || encoding == "LATIN1";
     std::optional<std::string> converted = toUtf8(text, isLatin ? "CP1252" : encoding.c_str(), &line);
     if (!converted && isLatin) converted = toUtf8(text, "ISO-8859-1", &line);
     if (!converted && line == 0)

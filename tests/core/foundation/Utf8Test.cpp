@@ -67,6 +67,23 @@ TEST(Utf8, StrayBytesAreTakenAsWindows1252AndCounted)
         EXPECT_EQ(foundation::utf8Length(bad, 0), 0u);
 }
 
+TEST(Utf8, WhatCallsItselfAsciiIsReadAsUtf8)
+{
+    const std::string text = "na\xC3\xAFve";
+    for (const char* encoding : {"US-ASCII", "ascii", "UTF-8"})
+    {
+        const auto read = foundation::Utf8Text::of(text, encoding, "t.xml");
+        ASSERT_TRUE(read) << encoding;
+        EXPECT_EQ(read->in(text), text) << encoding;
+        EXPECT_EQ(read->strayBytes(), 0u);
+    }
+    const std::string latin = "na\xEFve";
+    const auto read = foundation::Utf8Text::of(latin, "US-ASCII", "t.xml");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->in(latin), text);
+    EXPECT_EQ(read->strayBytes(), 1u);
+}
+
 TEST(Utf8, ABeginningCutsNoCharacter)
 {
     EXPECT_EQ(foundation::utf8Beginning("a\xE2\x82\xAC", 3), "a");
