@@ -140,7 +140,7 @@ std::vector<InputKind> worldKinds(const MutantFolders& folders)
         make.terrains("roam", {written(folders.scratch / "hill.roam", "dem = hill.asc\n")}),
         make.ofTour("scenery", {written(folders.scratch / "scenery.json", kScenery)}, "--scenery"),
         make.ofTour("view", {written(folders.scratch / "view.xml", kView)}, "--view"),
-        make.roads(joined({corpus / "curves.xodr", corpus / "junction.xodr"},
+        make.roads(joined({corpus / "curves.xodr", corpus / "junction.xodr", corpus / "latin.xodr"},
                           realFiles(folders.real("openscenario"), {".xodr"}))),
         make.maps("osm", {corpus / "village.osm"}),
         make.maps("josm", {corpus / "josm.osm"}),
