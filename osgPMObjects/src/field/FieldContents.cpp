@@ -28,21 +28,24 @@ foundation::Outcome checkKind(const std::string& place, const FieldKind& kind)
     return checked ? at(place + ".switching", core::checkSettings(kind.switching)) : checked;
 }
 
-foundation::Outcome checkInstance(const std::string& place, const FieldInstance& instance, std::size_t kinds)
+/// `placeOf`: makes the place of an error; most instances have none.
+template<class PlaceOf>
+foundation::Outcome checkInstance(const PlaceOf& placeOf, const FieldInstance& instance, std::size_t kinds)
 {
     if (instance.kind >= kinds)
-        return Error{place + ".kind", "there is no kind " + std::to_string(instance.kind),
+        return Error{placeOf() + ".kind", "there is no kind " + std::to_string(instance.kind),
                      "give a number below " + std::to_string(kinds)};
     const osg::Vec3d& p = instance.position;
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-        return Error{place + ".position", "a coordinate is not finite", "give finite coordinates"};
+        return Error{placeOf() + ".position", "a coordinate is not finite", "give finite coordinates"};
     constexpr double kLengthTolerance = 1e-3;
     if (!(std::abs(instance.attitude.length2() - 1.0) < kLengthTolerance))
-        return Error{place + ".attitude", "it is not a rotation", "give a quaternion of unit length"};
+        return Error{placeOf() + ".attitude", "it is not a rotation", "give a quaternion of unit length"};
     if (!std::isfinite(instance.scale) || instance.scale <= 0.0)
-        return Error{place + ".scale", "it cannot be " + std::to_string(instance.scale),
+        return Error{placeOf() + ".scale", "it cannot be " + std::to_string(instance.scale),
                      "give a number above 0"};
-    return at(place + ".priority", core::checkSettings(instance.priority));
+    const foundation::Outcome checked = core::checkSettings(instance.priority);
+    return checked ? checked : at(placeOf() + ".priority", checked);
 }
 
 /// Whether textures cut holes into a shape. The alpha test runs after the shader, so it would also discard
@@ -64,7 +67,8 @@ foundation::Outcome checkContents(const std::vector<FieldKind>& kinds,
     for (std::size_t i = 0; i < kinds.size(); ++i)
         if (foundation::Outcome checked = checkKind(placeOf("kinds", i), kinds[i]); !checked) return checked;
     for (std::size_t i = 0; i < instances.size(); ++i)
-        if (foundation::Outcome checked = checkInstance(placeOf("instances", i), instances[i], kinds.size());
+        if (foundation::Outcome checked =
+                checkInstance([&] { return placeOf("instances", i); }, instances[i], kinds.size());
             !checked)
             return checked;
     return foundation::success();
