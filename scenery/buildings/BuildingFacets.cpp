@@ -48,7 +48,7 @@ public:
     {
     }
 
-    void make()
+    void makeShell()
     {
         std::vector<PlanRing> covered = _building.rings;
         if (_building.roof != RoofForm::flat) covered.front() = grownRing(covered.front(), kEavesOutM);
@@ -63,6 +63,10 @@ public:
         if (_building.isOnPosts) addPosts();
         for (std::size_t i = 0; i < covered.front().size(); ++i)
             addEaves(i, covered.front());
+    }
+
+    void makeOpenings()
+    {
         if (_building.openings != Openings::none) addOpenings();
     }
 
@@ -416,9 +420,14 @@ void Facets::addPolygon(const std::vector<glm::vec3>& corners, const std::vector
         indices.insert(indices.end(), {first, first + i, first + i + 1});
 }
 
-void addBuilding(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets)
+void addShell(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets)
 {
-    Maker(standing, origin, facets).make();
+    Maker(standing, origin, facets).makeShell();
+}
+
+void addOpenings(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets)
+{
+    Maker(standing, origin, facets).makeOpenings();
 }
 
 } // namespace scenery

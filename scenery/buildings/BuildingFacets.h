@@ -46,9 +46,11 @@ struct BuildingFacets
     std::vector<WindowPane> panes;
 };
 
-/// Adds a building: walls from its foot up to the roof, the roof with its eaves, windows in each storey, a
-/// door.
+/// Adds the shell of a building: walls from its foot up to the roof, the roof with its eaves.
 /// `origin`: of the facets' frame, in the scene. Closed: each wall ends on the roof's planes.
-void addBuilding(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets);
+void addShell(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets);
+
+/// Adds its openings, windows in each storey and a door, and their panes. `origin`: the same.
+void addOpenings(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets);
 
 } // namespace scenery

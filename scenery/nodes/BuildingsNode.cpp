@@ -35,7 +35,10 @@ struct SquareFacets
     BuildingFacets facets;
 };
 
-std::map<Square, SquareFacets> facetsBySquare(std::span<const StandingBuilding> buildings, double sideM)
+/// `add`: addShell() or addOpenings().
+template<class Add>
+std::map<Square, SquareFacets> facetsBySquare(std::span<const StandingBuilding> buildings, double sideM,
+                                              const Add& add)
 {
     std::map<Square, SquareFacets> squares;
     for (const StandingBuilding& standing : buildings)
@@ -43,7 +46,7 @@ std::map<Square, SquareFacets> facetsBySquare(std::span<const StandingBuilding> 
         const auto [found, isNew] = squares.try_emplace(squareOf(standing, sideM));
         SquareFacets& square = found->second;
         if (isNew) square.origin = {standing.building.rings.front().front(), standing.floorM};
-        addBuilding(standing, square.origin, square.facets);
+        add(standing, square.origin, square.facets);
     }
     return squares;
 }
@@ -64,14 +67,14 @@ osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> bui
         geometry->setNodeMask(osgSky::SunShadows::kCastsNone);
         group.addChild(geometry);
     };
-    for (const auto& [square, made] : facetsBySquare(buildings, kShellSquareM))
+    for (const auto& [square, made] : facetsBySquare(buildings, kShellSquareM, addShell))
     {
         osg::Group& group = addOverlapping(*root, made.origin, kShellFarM);
         for (const auto& [painting, facets] : made.facets.shell)
             add(group, facets, painting);
         group.addChild(casterOf(made.facets.shell));
     }
-    for (const auto& [square, made] : facetsBySquare(buildings, kOpeningsSquareM))
+    for (const auto& [square, made] : facetsBySquare(buildings, kOpeningsSquareM, addOpenings))
     {
         if (panes) panes->insert(panes->end(), made.facets.panes.begin(), made.facets.panes.end());
         add(addOverlapping(*root, made.origin, kOpeningsFarM), made.facets.openings,

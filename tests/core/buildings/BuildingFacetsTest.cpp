@@ -46,7 +46,8 @@ const std::vector<PlanRing> kCourt{{{0, 0}, {30, 0}, {30, 20}, {0, 20}},
 BuildingFacets facetsOf(const StandingBuilding& standing)
 {
     BuildingFacets facets;
-    addBuilding(standing, kOrigin, facets);
+    addShell(standing, kOrigin, facets);
+    addOpenings(standing, kOrigin, facets);
     return facets;
 }
 
