@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <glm/glm.hpp>
+
 #include <osg/Geode>
 #include <osg/Program>
 #include <osgSky/SunShadows>
@@ -33,15 +35,29 @@ osg::ref_ptr<osg::StateSet> patchState()
     return state;
 }
 
-/// The numbers of bodies, then of walls by their middle, by cells.
-std::map<std::pair<int, int>, std::vector<std::size_t>> cellsOf(const SkyOccluders& occluders)
+/// What lies so near to a place, along each axis, is sorted at once.
+constexpr double kSortedM = 1024.0;
+
+bool isNear(const glm::dvec2& place, const glm::dvec2& middle, double withinM)
+{
+    return glm::all(glm::lessThanEqual(glm::abs(place - middle), glm::dvec2(withinM)));
+}
+
+/// The numbers of bodies, then of walls by their middle, near a place, by cells.
+std::map<std::pair<int, int>, std::vector<std::size_t>> cellsOf(const SkyOccluders& occluders,
+                                                                const glm::dvec2& middle)
 {
     std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
     std::size_t number = 0;
+    const auto add = [&](const glm::dvec2& place)
+    {
+        if (isNear(place, middle, kSortedM)) cells[cellOf(place)].push_back(number);
+        ++number;
+    };
     for (const SkyOccluder& body : occluders.bodies)
-        cells[cellOf(body.place)].push_back(number++);
+        add(body.place);
     for (const SkyWall& wall : occluders.walls)
-        cells[cellOf(0.5 * (wall.from + wall.to))].push_back(number++);
+        add(0.5 * (wall.from + wall.to));
     return cells;
 }
 
@@ -102,7 +118,12 @@ void SkyShadeNode::gather(const glm::dvec3& eye)
     const osg::ref_ptr<osg::Vec2Array> hidden = new osg::Vec2Array;
     const osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     std::map<std::size_t, SkyShadePatch> near;
-    if (_isShown && _inCell.empty()) _inCell = cellsOf(_occluders); // where they are never shown, never
+    constexpr double kLeftM = kCellM * (kAround + 1);
+    if (const glm::dvec2 place(eye); _isShown && !(_sortedAt && isNear(place, *_sortedAt, kSortedM - kLeftM)))
+    {
+        _inCell = cellsOf(_occluders, place);
+        _sortedAt = place;
+    }
     for (int y = -kAround; _isShown && y <= kAround; ++y)
         for (int x = -kAround; x <= kAround; ++x)
         {
