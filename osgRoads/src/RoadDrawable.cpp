@@ -79,14 +79,19 @@ std::size_t nearFirst(std::vector<core::ChunkChoice>& choices, const core::RoadM
 RoadDrawable::RoadDrawable() : RoadDrawable(std::make_shared<const core::RoadMesh>()) {}
 
 RoadDrawable::RoadDrawable(std::shared_ptr<const core::RoadMesh> mesh)
+    : RoadDrawable(std::make_shared<const core::PagedRoadMesh>(std::move(mesh)))
+{
+}
+
+RoadDrawable::RoadDrawable(std::shared_ptr<const core::PagedRoadMesh> mesh)
     : _mesh(std::move(mesh)),
-      _tree(std::make_shared<const core::ChunkTree>(*_mesh)),
+      _tree(std::make_shared<const core::ChunkTree>(_mesh->outline())),
       _buffers(std::make_shared<RoadBuffers>(_mesh))
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
-    setState(*getOrCreateStateSet(), *_mesh);
+    setState(*getOrCreateStateSet(), _mesh->outline());
 }
 
 RoadDrawable::RoadDrawable(const RoadDrawable& other, const osg::CopyOp& copyOp)
@@ -129,9 +134,9 @@ void RoadDrawable::cull(osgUtil::CullVisitor& visitor)
     const osg::BoundingBox& box = getBoundingBox();
     if (!box.valid() || (isCullingActive() && visitor.isCulled(box))) return;
     const viewlod::ViewState view = viewOf(visitor);
-    auto choices = core::chooseLevels(*_mesh, *_tree, view, _settings);
+    auto choices = core::chooseLevels(_mesh->outline(), *_tree, view, _settings);
     if (choices.empty()) return;
-    const std::size_t nearCount = nearFirst(choices, *_mesh, view, _settings);
+    const std::size_t nearCount = nearFirst(choices, _mesh->outline(), view, _settings);
     const std::vector<core::ChunkChoice> fading(choices.begin() + static_cast<std::ptrdiff_t>(nearCount),
                                                 choices.end());
     choices.resize(nearCount);
@@ -139,7 +144,7 @@ void RoadDrawable::cull(osgUtil::CullVisitor& visitor)
     if (seeksNearFar(visitor)) visitor.updateCalculatedNearFar(matrix, box);
     const auto add = [&](const std::vector<core::ChunkChoice>& chosen, RoadStrips strips)
     {
-        auto ranges = rangesOf(*_mesh, chosen, strips);
+        auto ranges = rangesOf(_mesh->outline(), chosen, strips);
         if (ranges.empty()) return;
         osg::ref_ptr<RoadPart> part =
             new RoadPart(_buffers, std::move(ranges), _settings, view.pixelsPerTangent, box);
@@ -169,7 +174,7 @@ void RoadDrawable::cull(osgUtil::CullVisitor& visitor)
 void RoadDrawable::accept(osg::PrimitiveFunctor& functor) const
 {
     std::vector<RoadRange> finest;
-    for (const core::RoadChunk& chunk : _mesh->chunks)
+    for (const core::RoadChunk& chunk : _mesh->outline().chunks)
         if (!chunk.levels.empty())
             finest.push_back({chunk.levels.front().firstIndex, chunk.levels.front().indexCount});
     showTriangles(*_mesh, finest, functor);
@@ -178,7 +183,7 @@ void RoadDrawable::accept(osg::PrimitiveFunctor& functor) const
 osg::BoundingBox RoadDrawable::computeBoundingBox() const
 {
     osg::BoundingBox box;
-    for (const core::RoadChunk& chunk : _mesh->chunks)
+    for (const core::RoadChunk& chunk : _mesh->outline().chunks)
         box.expandBy(osg::BoundingSphere(osg::Vec3(static_cast<float>(chunk.centre.x),
                                                    static_cast<float>(chunk.centre.y),
                                                    static_cast<float>(chunk.centre.z)),

@@ -2,6 +2,7 @@
 #include "PlayScene.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <memory>
 
@@ -39,18 +40,34 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     return terrain.setSettings(settings);
 }
 
-/// The roads of a scenario where the scene shows them: those of a georeferenced world lie in its frame, not
-/// in that of their file.
-std::shared_ptr<const simulation::RoadScene> inScene(std::shared_ptr<const simulation::RoadScene> roads,
-                                                     const SceneTerrain& terrain)
+/// The roads of the scene in its own frame.
+std::shared_ptr<const simulation::RoadScene> roadsOf(const SceneTerrain& terrain)
 {
-    if (!roads || !terrain.roads || !terrain.origin()) return roads;
-    const auto &named = roads->network().roads, &shown = terrain.roads->network().roads;
-    const bool isSame =
-        std::equal(named.begin(), named.end(), shown.begin(), shown.end(),
-                   [](const auto& a, const auto& b) { return a.id == b.id && a.length == b.length; });
-    return isSame ? std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*terrain.roads))
-                  : roads;
+    return std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*terrain.roads));
+}
+
+/// Whether two networks have roads of the same names and lengths.
+bool areAlike(const osgRoads::core::RoadNetwork& a, const osgRoads::core::RoadNetwork& b)
+{
+    return std::equal(a.roads.begin(), a.roads.end(), b.roads.begin(), b.roads.end(),
+                      [](const auto& one, const auto& other)
+                      { return one.id == other.id && one.length == other.length; });
+}
+
+/// The roads of a scenario where the scene shows them: those of a georeferenced world lie in its frame, not
+/// in that of their file. Those of the scene's own file are not read again.
+foundation::Result<std::shared_ptr<const simulation::RoadScene>>
+roadsFor(const simulation::Scenario& scenario, const std::filesystem::path& folder,
+         const SceneTerrain& terrain)
+{
+    const bool areInScene = terrain.roads && terrain.origin();
+    std::error_code failed;
+    if (areInScene &&
+        std::filesystem::equivalent(simulation::roadsFile(scenario, folder), terrain.roadsFile, failed))
+        return roadsOf(terrain);
+    auto roads = simulation::openRoads(scenario, folder);
+    if (!roads || !*roads || !areInScene) return roads;
+    return areAlike((*roads)->network(), terrain.roads->network()) ? roadsOf(terrain) : roads;
 }
 
 /// Gives a field a share of its triangles.
@@ -149,10 +166,10 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
     if (isOnRoads || scenario.needsRoads())
     {
         // One that is not there is told by the player, with the place that needs it.
-        auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
+        auto roads = roadsFor(scenario, request.scenario.parent_path(), terrain);
         if (!roads) return roads.error();
         if (*roads && !stage.origin) stage.projection = simulation::projectionOf(**roads);
-        stage.roads = inScene(std::move(*roads), terrain);
+        stage.roads = std::move(*roads);
     }
     stage.motions = request.motions;
     stage.roadsUnder = request.roadsUnder;
@@ -208,8 +225,6 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     play.cover = makeCover(play.terrain);
     if (play.cover) play.scene->sunlit().addChild(play.cover->node());
     play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->occluders : nullptr);
-    for (StandingPart& part : play.terrain.standing)
-        part.occluders = {}; // they have been copied
     if (play.skyShade) play.scene->sunlit().addChild(play.skyShade->node());
     trainer::setQuality(play, request.frames.quality);
     request.terrain.opening->end("cover");

@@ -91,7 +91,8 @@ struct TerrainRequest
     std::optional<double> viewMarginDeg{};
     ///< terrain's file says
     std::optional<int> patchExponent =
-        0; ///< 2^k triangles a leaf; absent: measured to be the fastest on this machine
+        0;                       ///< 2^k triangles a leaf; absent: measured to be the fastest on this machine
+    bool wantsObstacles = false; ///< gathers what vehicles may hit (SceneTerrain::obstacles)
     std::shared_ptr<OpeningClock> opening = std::make_shared<OpeningClock>(); ///< measures how long it takes
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SceneCover.h"
 
+#include <utility>
+
 #include "scenery/nodes/GroundShares.h"
 #include "scenery/roads/BareGround.h"
 
@@ -23,13 +25,12 @@ std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain)
     return std::make_unique<scenery::GroundCoverNode>(std::move(query), *terrain.terrain->material());
 }
 
-std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(const SceneTerrain& terrain,
-                                                    const scenery::SkyOccluders* more)
+std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(SceneTerrain& terrain, const scenery::SkyOccluders* more)
 {
     if (!terrain.terrain || terrain.cornerM != glm::dvec2(0.0)) return nullptr;
     scenery::SkyOccluders occluders;
-    for (const StandingPart& part : terrain.standing)
-        occluders.add(part.occluders);
+    for (StandingPart& part : terrain.standing)
+        occluders.add(std::exchange(part.occluders, {}));
     if (more) occluders.add(*more);
     if (occluders.bodies.empty() && occluders.walls.empty()) return nullptr;
     return std::make_unique<scenery::SkyShadeNode>(std::move(occluders), terrain.ground().heights());

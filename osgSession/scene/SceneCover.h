@@ -14,9 +14,8 @@ namespace trainer
 /// water, runway or field. Null: the scene has no terrain, or not in the scene's own frame.
 std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain);
 
-/// Makes what darkens the ground where things that stand hide the sky: those of the terrain's maps, and
-/// `more` (null: none). Null: nothing does, or the scene has no terrain.
-std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(const SceneTerrain& terrain,
-                                                    const scenery::SkyOccluders* more);
+/// Makes what darkens the ground where things that stand hide the sky: those of the terrain's maps, which are
+/// taken from it, and `more` (null: none). Null: nothing does, or the scene has no terrain.
+std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(SceneTerrain& terrain, const scenery::SkyOccluders* more);
 
 } // namespace trainer

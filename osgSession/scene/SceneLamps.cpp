@@ -1,25 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SceneLamps.h"
 
-#include <vector>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <foundation/PlainBytes.h>
 
 #include "scenery/roads/LayRoads.h"
 
 namespace trainer
 {
 
-std::shared_ptr<scenery::SettlementLights> settlementLights(const MapScenery& map,
-                                                            const scenery::MappedLamps& mapped,
-                                                            const osgRoads::core::PlacedNetwork* roads,
-                                                            const foundation::HeightInPlan& ground)
+namespace
+{
+
+using scenery::StreetLamp;
+
+/// Place, direction, height and whether it is of sodium.
+using LampNumbers = std::array<double, 6>;
+
+std::vector<StreetLamp> lampsAlong(const osgRoads::core::PlacedNetwork* roads,
+                                   const std::vector<glm::dvec2>& houses, const scenery::MappedLamps& mapped)
 {
     std::vector<scenery::StreetLine> streets;
-    if (roads && !(map.houses.empty() && mapped.posts.empty() && mapped.lit.empty()))
+    if (roads)
         for (const auto& road : scenery::farRoads(*roads))
             for (const auto& path : road.paths)
                 streets.push_back({path, road.style.widthM});
-    const auto lamps = scenery::streetLampsAlong(streets, map.houses, mapped);
-    auto lights = std::make_shared<scenery::SettlementLights>(lamps, map.panes, map.lights, ground);
+    return scenery::streetLampsAlong(streets, houses, mapped);
+}
+
+/// The mark of all that lamps follow from.
+foundation::ContentMark markOf(foundation::ContentMark mark, const std::vector<glm::dvec2>& houses,
+                               const scenery::MappedLamps& mapped)
+{
+    mark.add(houses).add(mapped.posts);
+    for (const auto* lines : {&mapped.lit, &mapped.unlit})
+    {
+        mark.addWord(lines->size());
+        for (const auto& line : *lines)
+            mark.add(line);
+    }
+    return mark;
+}
+
+} // namespace
+
+std::string bytesOf(const std::vector<StreetLamp>& lamps)
+{
+    std::vector<LampNumbers> all;
+    for (const StreetLamp& lamp : lamps)
+        all.push_back({lamp.place.x, lamp.place.y, lamp.towards.x, lamp.towards.y, lamp.heightM,
+                       lamp.isSodium ? 1.0 : 0.0});
+    std::string bytes;
+    foundation::appendValues(bytes, all);
+    return bytes;
+}
+
+std::optional<std::vector<StreetLamp>> streetLampsIn(std::string_view bytes)
+{
+    foundation::ValueTaker taker(bytes);
+    std::vector<LampNumbers> all;
+    if (!taker.take(all) || !taker.isEmpty()) return std::nullopt;
+    std::vector<StreetLamp> lamps;
+    for (const LampNumbers& numbers : all)
+    {
+        if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); }))
+            return std::nullopt;
+        lamps.push_back({{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5] != 0.0});
+    }
+    return lamps;
+}
+
+std::shared_ptr<scenery::SettlementLights>
+settlementLights(MapScenery map, const scenery::MappedLamps& mapped,
+                 const osgRoads::core::PlacedNetwork* roads, foundation::HeightInPlan ground,
+                 const std::optional<foundation::ContentMark>& roadsMark, const foundation::KeptFrom& kept)
+{
+    std::vector<StreetLamp> lamps;
+    const auto make = [&] { return lampsAlong(roads, map.houses, mapped); };
+    if (!(map.houses.empty() && mapped.posts.empty() && mapped.lit.empty()))
+        lamps = roadsMark
+                    ? kept.findOrMake("lamps", markOf(*roadsMark, map.houses, mapped), streetLampsIn, make,
+                                      [](const std::vector<StreetLamp>& made) { return bytesOf(made); })
+                    : make();
+    auto lights = std::make_shared<scenery::SettlementLights>(lamps, std::move(map.panes),
+                                                              std::move(map.lights), std::move(ground));
     return lights->count() > 0 ? lights : nullptr;
 }
 

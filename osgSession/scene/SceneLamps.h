@@ -2,8 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include <foundation/ContentMark.h>
 #include <foundation/Heights.h>
+#include <foundation/KeptFrom.h>
 
 #include <osgRoads/core/place/PlacedNetwork.h>
 
@@ -16,10 +22,18 @@ namespace trainer
 
 /// Makes the lamps of a map's settlements: those that it has, and along its roads that it says are lit or
 /// where houses stand; behind windows, on towers.
-/// `roads`: null: there are none. Null: nothing of it stands there.
-std::shared_ptr<scenery::SettlementLights> settlementLights(const MapScenery& map,
-                                                            const scenery::MappedLamps& mapped,
-                                                            const osgRoads::core::PlacedNetwork* roads,
-                                                            const foundation::HeightInPlan& ground);
+/// `roads`: null: there are none. `roadsMark`: of what they follow from besides the tile
+/// (scenery::markOfRoads()). `kept`: what follows from the tile; where street lamps stand is found there the
+/// second time. Null: nothing of it stands there.
+std::shared_ptr<scenery::SettlementLights>
+settlementLights(MapScenery map, const scenery::MappedLamps& mapped,
+                 const osgRoads::core::PlacedNetwork* roads, foundation::HeightInPlan ground,
+                 const std::optional<foundation::ContentMark>& roadsMark, const foundation::KeptFrom& kept);
+
+/// Returns lamps as bytes, for streetLampsIn().
+std::string bytesOf(const std::vector<scenery::StreetLamp>& lamps);
+
+/// Absent: bytesOf() did not write them.
+std::optional<std::vector<scenery::StreetLamp>> streetLampsIn(std::string_view bytes);
 
 } // namespace trainer

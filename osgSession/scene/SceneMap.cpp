@@ -85,13 +85,13 @@ public:
         unused += made.unused;
     }
 
-    foundation::Outcome addTo(MapScenery& map, const std::string& place) const
+    foundation::Outcome addTo(MapScenery& map, const std::string& place, bool wantsObstacles) const
     {
         const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(_description));
         if (!shapes) return shapes.error();
         const auto node = scenery::makeSceneryNode(_description, _placed, *shapes, place);
         if (!node) return node.error();
-        scenery::addObstacles(_description, _placed, shapes->measures, map.obstacles);
+        if (wantsObstacles) scenery::addObstacles(_description, _placed, shapes->measures, map.obstacles);
         map.standing.push_back({"trees and vehicles", node->root, node->field, node->field->budget(),
                                 scenery::occludersOf(_description, _placed, shapes->measures)});
         return foundation::success();
@@ -155,7 +155,7 @@ void noteLights(const scenery::StandingBuilding& standing, MapScenery& map)
 foundation::Outcome addBuildings(const std::filesystem::path& source,
                                  const osgTerrainROAM::core::RoamTile& tile,
                                  const foundation::HeightInPlan& ground, const scenery::NearestStreet& street,
-                                 MapScenery& map)
+                                 MapScenery& map, bool wantsObstacles)
 {
     const auto shapes = readShapes(source, tile);
     if (!shapes) return shapes.error();
@@ -165,7 +165,7 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
     map.notes.push_back(source.string() + ": " + std::to_string(made.buildings.size()) + " buildings; " +
                         std::to_string(shapes->outside + made.beyondGround) + " beyond the ground, " +
                         std::to_string(shapes->lines + shapes->invalid + made.unusable) + " not usable");
-    scenery::addObstacles(made.buildings, map.obstacles);
+    if (wantsObstacles) scenery::addObstacles(made.buildings, map.obstacles);
     for (const scenery::StandingBuilding& standing : made.buildings)
         noteLights(standing, map);
     map.standing.push_back({"buildings",
@@ -181,12 +181,13 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
 foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFile& description,
                                               const osgTerrainROAM::core::RoamTile& tile,
                                               const foundation::HeightInPlan& ground,
-                                              const osgRoads::core::PlacedNetwork* roads)
+                                              const osgRoads::core::PlacedNetwork* roads, bool wantsObstacles)
 {
     MapScenery map;
     const scenery::NearestStreet street = roads ? scenery::nearestStreet(*roads) : scenery::NearestStreet();
     for (const std::filesystem::path& source : description.buildings)
-        if (const auto added = addBuildings(source, tile, ground, street, map); !added) return added.error();
+        if (const auto added = addBuildings(source, tile, ground, street, map, wantsObstacles); !added)
+            return added.error();
     Objects objects;
     for (const std::filesystem::path& source : description.objects)
     {
@@ -200,7 +201,7 @@ foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFi
         map.notes.push_back("objects: " + std::to_string(objects.unused) +
                             " of no known kind, or beyond the ground");
     if (!objects.isEmpty())
-        if (const auto added = objects.addTo(map, "objects"); !added) return added.error();
+        if (const auto added = objects.addTo(map, "objects", wantsObstacles); !added) return added.error();
     return map;
 }
 

@@ -26,8 +26,8 @@ struct MapScenery
     std::vector<scenery::WindowPane> panes;  ///< of all windows
     std::vector<glm::dvec2> houses;          ///< middles of those where people live or work
     std::vector<scenery::LightPoint> lights; ///< beacons and lamps of obstacles
-    simulation::ObstacleList obstacles;
-    std::vector<std::string> notes; ///< what could not be used, and how much could; a line each
+    simulation::ObstacleList obstacles;      ///< where they are wanted
+    std::vector<std::string> notes;          ///< what could not be used, and how much could; a line each
 };
 
 /// Makes what a .roam file's `buildings` and `objects` put on the ground, houses with their doors to the
@@ -37,6 +37,7 @@ struct MapScenery
 foundation::Result<MapScenery> makeMapScenery(const osgTerrainROAM::core::RoamFile& description,
                                               const osgTerrainROAM::core::RoamTile& tile,
                                               const foundation::HeightInPlan& ground,
-                                              const osgRoads::core::PlacedNetwork* roads);
+                                              const osgRoads::core::PlacedNetwork* roads,
+                                              bool wantsObstacles);
 
 } // namespace trainer

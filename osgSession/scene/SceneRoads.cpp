@@ -57,7 +57,7 @@ foundation::HeightInPlan bareGround(const RoamTile& tile)
 /// tunnels.
 struct RoadParts
 {
-    std::shared_ptr<const osgRoads::core::RoadMesh> mesh;
+    std::shared_ptr<const osgRoads::core::PagedRoadMesh> mesh;
     std::unique_ptr<scenery::RoadThingsNode> things;
     simulation::ObstacleList obstacles;
 };
@@ -72,17 +72,23 @@ struct PartsOfScene
     std::optional<foundation::Result<SceneAirfields>> airfields;
 };
 
-foundation::Result<RoadParts> makeRoadParts(const RoamFile& description, const RoamTile& tile,
-                                            const scenery::SceneRoads& roads,
-                                            const foundation::KeptFrom& kept)
+/// Roads on the ground of a tile. `mark`: of what they follow from besides the tile (markOfRoads()).
+struct LaidRoads
 {
+    const scenery::SceneRoads& roads;
+    std::optional<foundation::ContentMark> mark;
+};
+
+foundation::Result<RoadParts> makeRoadParts(const RoamTile& tile, const LaidRoads& laid,
+                                            const foundation::KeptFrom& kept, bool wantsObstacles)
+{
+    const scenery::SceneRoads& roads = laid.roads;
     if (!roads.placed) return RoadParts();
     RoadParts parts;
-    parts.mesh =
-        std::make_shared<const osgRoads::core::RoadMesh>(scenery::roadMeshOf(description, roads, kept));
+    parts.mesh = scenery::roadMeshOf(roads, laid.mark, kept);
     const scenery::roads::RoadThings beside =
         scenery::roads::placeRoadThings(*roads.placed, bareGround(tile));
-    scenery::roads::addObstacles(beside, parts.obstacles);
+    if (wantsObstacles) scenery::roads::addObstacles(beside, parts.obstacles);
     auto things = scenery::RoadThingsNode::create(beside);
     if (!things) return things.error();
     parts.things = std::move(*things);
@@ -91,11 +97,14 @@ foundation::Result<RoadParts> makeRoadParts(const RoamFile& description, const R
 
 /// The land with what is painted on it, cut open where roads enter tunnels.
 foundation::Result<osg::ref_ptr<osgTerrainROAM::RoamTerrain>>
-makeLand(const RoamFile& description, const std::shared_ptr<RoamTile>& tile, const scenery::SceneRoads& roads,
+makeLand(const RoamFile& description, const std::shared_ptr<RoamTile>& tile, const LaidRoads& laid,
          const std::vector<osgTerrainROAM::core::GroundFeature>& painted, const foundation::KeptFrom& kept)
 {
-    osgTerrainROAM::MoreFeatures more{painted, {}};
-    if (roads.placed) more = {painted, scenery::farRoads(*roads.placed), kRibbonsFromM};
+    const scenery::SceneRoads& roads = laid.roads;
+    osgTerrainROAM::MoreFeatures more{painted};
+    if (roads.placed)
+        more = {painted, [placed = roads.placed] { return scenery::farRoads(*placed); }, kRibbonsFromM,
+                laid.mark};
     auto terrain = osgTerrainROAM::makeTerrain(description, tile, std::move(more), kept);
     if (!terrain || !roads.placed) return terrain;
     const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
@@ -110,7 +119,7 @@ void addRoads(RoadParts made, const scenery::SceneRoads& roads, SceneTerrain& sc
     for (const std::string& note : roads.notes)
         OSG_NOTICE << note << '\n';
     const std::string unreached =
-        osgRoads::core::unreachedMessage(*made.mesh, roads.placed->network(), roads.file);
+        osgRoads::core::unreachedMessage(made.mesh->outline(), roads.placed->network(), roads.file);
     if (!unreached.empty()) OSG_NOTICE << unreached << '\n';
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
@@ -118,11 +127,13 @@ void addRoads(RoadParts made, const scenery::SceneRoads& roads, SceneTerrain& sc
     group->addChild(made.things->node());
     scene.node = group;
     scene.roads = roads.placed;
+    scene.roadsFile = roads.file;
     scene.roadThings = std::move(made.things);
 }
 
-/// Adds the buildings and objects of a description, and tells what of them could not be used.
-void addMap(const MapScenery& map, SceneTerrain& scene)
+/// Adds the buildings and objects of a description, which are taken, and tells what of them could not be
+/// used.
+void addMap(MapScenery& map, SceneTerrain& scene)
 {
     for (const std::string& note : map.notes)
         OSG_NOTICE << note << '\n';
@@ -131,15 +142,17 @@ void addMap(const MapScenery& map, SceneTerrain& scene)
     group->addChild(scene.node);
     for (const StandingPart& part : map.standing)
         group->addChild(part.node);
-    scene.standing = map.standing;
+    scene.standing = std::move(map.standing);
     scene.node = group;
 }
 
 /// Adds the lamps of settlements.
-void addLamps(const MapScenery& map, const scenery::MappedLamps& mapped, SceneTerrain& scene)
+void addLamps(MapScenery map, const scenery::MappedLamps& mapped, const LaidRoads& laid,
+              const foundation::KeptFrom& kept, SceneTerrain& scene)
 {
-    scene.settlements = settlementLights(map, mapped, scene.roads.get(),
-                                         ground::groundOf(scene.terrain->tile()->tile).heights());
+    auto ground = ground::groundOf(scene.terrain->tile()->tile).heights();
+    scene.settlements =
+        settlementLights(std::move(map), mapped, scene.roads.get(), std::move(ground), laid.mark, kept);
     if (!scene.settlements) return;
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
@@ -153,22 +166,28 @@ void addLamps(const MapScenery& map, const scenery::MappedLamps& mapped, SceneTe
 foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const std::shared_ptr<RoamTile>& tile,
                                            const scenery::SceneRoads& roads,
                                            const std::vector<osgTerrainROAM::core::GroundFeature>& painted,
-                                           OpeningClock& opening)
+                                           const TerrainRequest& request)
 {
+    OpeningClock& opening = *request.opening;
+    const bool wantsObstacles = request.wantsObstacles;
     const auto kept = foundation::KeptFrom::ofUser(tile->mark());
+    const LaidRoads laid{roads, kept && roads.placed ? scenery::markOfRoads(description) : std::nullopt};
     PartsOfScene parts;
     foundation::Threads beside;
     beside.run(
         [&]
-        { parts.map.emplace(makeMapScenery(description, *tile, bareGround(*tile), roads.placed.get())); });
-    beside.run([&] { parts.roads.emplace(makeRoadParts(description, *tile, roads, kept)); });
+        {
+            parts.map.emplace(
+                makeMapScenery(description, *tile, bareGround(*tile), roads.placed.get(), wantsObstacles));
+        });
+    beside.run([&] { parts.roads.emplace(makeRoadParts(*tile, laid, kept, wantsObstacles)); });
     beside.run(
         [&]
         {
-            parts.structures.emplace(makeStructures(description, *tile));
+            parts.structures.emplace(makeStructures(description, *tile, wantsObstacles));
             parts.airfields.emplace(sceneAirfields(description, *tile));
         });
-    const auto terrain = makeLand(description, tile, roads, painted, kept);
+    const auto terrain = makeLand(description, tile, laid, painted, kept);
     opening.end("land");
     beside.join();
     if (!terrain) return terrain.error();
@@ -177,13 +196,16 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     if (!*parts.airfields) return parts.airfields->error();
     if (!*parts.structures) return parts.structures->error();
     SceneTerrain scene{*terrain, *terrain, nullptr};
-    simulation::ObstacleList obstacles = std::move((*parts.roads)->obstacles);
-    obstacles.add((*parts.map)->obstacles);
-    obstacles.add((*parts.structures)->obstacles);
-    scene.obstacles = std::make_shared<const simulation::ObstacleMap>(std::move(obstacles));
+    if (wantsObstacles)
+    {
+        simulation::ObstacleList obstacles = std::move((*parts.roads)->obstacles);
+        obstacles.add((*parts.map)->obstacles);
+        obstacles.add((*parts.structures)->obstacles);
+        scene.obstacles = std::make_shared<const simulation::ObstacleMap>(std::move(obstacles));
+    }
     if (roads.placed) addRoads(std::move(**parts.roads), roads, scene);
     addMap(**parts.map, scene);
-    addLamps(**parts.map, (*parts.structures)->lamps, scene);
+    addLamps(std::move(**parts.map), (*parts.structures)->lamps, laid, kept, scene);
     if (const auto added = addStructures(**parts.structures, **parts.airfields, scene); !added)
         return added.error();
     opening.end("what stands on it");
@@ -238,7 +260,6 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked, con
 {
     RoamFile description = asked;
     const std::optional<StripRequest>& strip = request.strip;
-    OpeningClock& opening = *request.opening;
     if (strip && !description.finestSpacingM) description.finestSpacingM = kStripSpacingM;
     const foundation::KeptResults kept = foundation::KeptResults::ofUser();
     const auto loaded = scenery::loadRoadTile(description, &kept);
@@ -251,8 +272,8 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked, con
         if (!runway) return runway.error();
         painted.push_back(*runway);
     }
-    opening.end("ground");
-    return makeScene(description, tile, roads, painted, opening);
+    request.opening->end("ground");
+    return makeScene(description, tile, roads, painted, request);
 }
 
 foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, const TerrainRequest& request)
@@ -270,7 +291,7 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
         osgTerrainROAM::core::PlacedTile(std::move(ground->field), std::move(options)));
     osgTerrainROAM::core::TileEditor editor(tile);
     if (const auto cut = scenery::cutRoads(editor, *ground->roads.placed); !cut) return cut.error();
-    auto scene = makeScene(description, tile, ground->roads, {}, *request.opening);
+    auto scene = makeScene(description, tile, ground->roads, {}, request);
     if (scene) scene->terrain->material()->setCover(meadow());
     return scene && request.inRoadsFrame ? moved(std::move(*scene), ground->cornerM) : scene;
 }

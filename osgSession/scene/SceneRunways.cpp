@@ -2,9 +2,14 @@
 #include "SceneRunways.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include <foundation/Angle.h>
+#include <foundation/KeptFrom.h>
+#include <foundation/PlainBytes.h>
 
 #include <osgTerrainROAM/core/features/FeatureImport.h>
 
@@ -103,7 +108,69 @@ StripRequest turned(StripRequest strip)
     return strip;
 }
 
+/// The runways of a source, and what may be taxiways.
+foundation::Result<SceneAirfields> airfieldsIn(const std::filesystem::path& source,
+                                               const osgTerrainROAM::core::RoamTile& tile,
+                                               const foundation::KeptFrom& kept)
+{
+    const auto set = osgTerrainROAM::core::importFeatures(source, tile.tile, kept);
+    if (!set) return set.error();
+    SceneAirfields airfields;
+    for (const GroundFeature& feature : set->features)
+    {
+        if (auto runway = runwayOf(feature)) airfields.runways.push_back(std::move(*runway));
+        if (auto way = taxiwayOf(feature)) airfields.taxiways.push_back(std::move(*way));
+    }
+    return airfields;
+}
+
+/// Threshold, course, length, width, and whether it is paved.
+using RunwayNumbers = std::array<double, 6>;
+
 } // namespace
+
+std::string bytesOf(const SceneAirfields& airfields)
+{
+    std::string bytes;
+    foundation::appendValue(bytes, static_cast<std::uint64_t>(airfields.runways.size()));
+    for (const SceneRunway& runway : airfields.runways)
+    {
+        const StripRequest& strip = runway.strip;
+        foundation::appendValue(bytes,
+                                RunwayNumbers{strip.threshold.x, strip.threshold.y, strip.courseDeg,
+                                              strip.lengthM, strip.widthM, runway.isPaved ? 1.0 : 0.0});
+        foundation::appendText(bytes, runway.designators);
+    }
+    foundation::appendValue(bytes, static_cast<std::uint64_t>(airfields.taxiways.size()));
+    for (const SceneTaxiway& way : airfields.taxiways)
+    {
+        foundation::appendValue(bytes, way.widthM);
+        foundation::appendValues(bytes, way.middle);
+    }
+    return bytes;
+}
+
+std::optional<SceneAirfields> sceneAirfieldsIn(std::string_view bytes)
+{
+    foundation::ValueTaker taker(bytes);
+    SceneAirfields airfields;
+    std::uint64_t count = 0;
+    if (!taker.takeCount(count, sizeof(RunwayNumbers))) return std::nullopt;
+    airfields.runways.resize(static_cast<std::size_t>(count));
+    for (SceneRunway& runway : airfields.runways)
+    {
+        RunwayNumbers n{};
+        if (!taker.take(n) || !taker.take(runway.designators) || !(n[3] >= kLeastM) || !(n[4] > 0.0))
+            return std::nullopt;
+        runway.strip = {{n[0], n[1]}, n[2], n[3], n[4]};
+        runway.isPaved = n[5] != 0.0;
+    }
+    if (!taker.takeCount(count, sizeof(double))) return std::nullopt;
+    airfields.taxiways.resize(static_cast<std::size_t>(count));
+    for (SceneTaxiway& way : airfields.taxiways)
+        if (!taker.take(way.widthM) || !taker.take(way.middle) || way.middle.empty()) return std::nullopt;
+    return taker.isEmpty() ? std::optional(std::move(airfields)) : std::nullopt;
+}
 
 foundation::Result<SceneAirfields> sceneAirfields(const osgTerrainROAM::core::RoamFile& description,
                                                   const osgTerrainROAM::core::RoamTile& tile)
@@ -113,13 +180,12 @@ foundation::Result<SceneAirfields> sceneAirfields(const osgTerrainROAM::core::Ro
     const auto kept = foundation::KeptFrom::ofUser(tile.mark());
     for (const auto& source : description.features)
     {
-        const auto set = osgTerrainROAM::core::importFeatures(source, tile.tile, kept);
-        if (!set) return set.error();
-        for (const GroundFeature& feature : set->features)
-        {
-            if (auto runway = runwayOf(feature)) airfields.runways.push_back(std::move(*runway));
-            if (auto way = taxiwayOf(feature)) ways.push_back(std::move(*way));
-        }
+        auto found = kept.findOrRead(
+            "airfields", source, {}, sceneAirfieldsIn, [&] { return airfieldsIn(source, tile, kept); },
+            [](const SceneAirfields& made) { return bytesOf(made); });
+        if (!found) return found.error();
+        airfields.runways.insert(airfields.runways.end(), found->runways.begin(), found->runways.end());
+        ways.insert(ways.end(), found->taxiways.begin(), found->taxiways.end());
     }
     if (!airfields.runways.empty()) airfields.taxiways = connected(std::move(ways), airfields.runways);
     return airfields;

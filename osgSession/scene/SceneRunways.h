@@ -43,6 +43,12 @@ struct SceneAirfields
 foundation::Result<SceneAirfields> sceneAirfields(const osgTerrainROAM::core::RoamFile& description,
                                                   const osgTerrainROAM::core::RoamTile& tile);
 
+/// Returns runways and lines that may be taxiways as bytes, for sceneAirfieldsIn().
+std::string bytesOf(const SceneAirfields& airfields);
+
+/// Absent: bytesOf() did not write them.
+std::optional<SceneAirfields> sceneAirfieldsIn(std::string_view bytes);
+
 /// Returns the strip to take off from and land on: the longest paved runway, or the longest where none is
 /// paved, in the direction against the wind. Nothing: there is none. `windFromDeg`: from north, clockwise;
 /// absent: calm.

@@ -141,7 +141,8 @@ foundation::Outcome openTunnels(const std::vector<scenery::Structure>& structure
 } // namespace
 
 foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::RoamFile& description,
-                                                  const osgTerrainROAM::core::RoamTile& tile)
+                                                  const osgTerrainROAM::core::RoamTile& tile,
+                                                  bool wantsObstacles)
 {
     MadeStructures made;
     for (const auto& source : description.structures)
@@ -155,7 +156,7 @@ foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::Ro
             return foundation::Error{source.string(), "has nothing that can stand here",
                                      "give lines of walls, fences, power lines or railways of this place"};
     }
-    scenery::addObstacles(made.structures, groundOf(tile.tile), made.obstacles);
+    if (wantsObstacles) scenery::addObstacles(made.structures, groundOf(tile.tile), made.obstacles);
     if (!made.structures.empty())
         made.node = scenery::makeStructuresNode(
             scenery::structureFacets(made.structures, groundOf(tile.tile), made.beyondGround));

@@ -26,7 +26,7 @@ struct MadeStructures
 {
     std::vector<scenery::Structure> structures;
     osg::ref_ptr<osg::Node> node;       ///< of the structures; null: there are none
-    simulation::ObstacleList obstacles; ///< of the structures
+    simulation::ObstacleList obstacles; ///< of the structures, where they are wanted
     std::vector<glm::dvec2> windsocks;
     scenery::MappedLamps lamps;
     std::size_t unused = 0, beyondGround = 0;
@@ -37,7 +37,8 @@ struct MadeStructures
 /// without anything that can stand here.
 /// Threads: any, as long as nobody changes the tile: nothing is written but what is returned.
 foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::RoamFile& description,
-                                                  const osgTerrainROAM::core::RoamTile& tile);
+                                                  const osgTerrainROAM::core::RoamTile& tile,
+                                                  bool wantsObstacles);
 
 /// Adds structures to a scene, and its runways with what stands at them: PAPI at both ends of paved ones of
 /// kLeastPapiM or more, the lamps of their class, those of taxiways, and windsocks; and tells what could not

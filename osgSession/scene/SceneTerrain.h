@@ -48,6 +48,7 @@ struct SceneTerrain
     osg::ref_ptr<osg::Node> node;                      ///< the scene
     osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< within it; null when the scene has no ROAM terrain
     std::shared_ptr<const osgRoads::core::PlacedNetwork> roads; ///< null: none
+    std::filesystem::path roadsFile{};                          ///< what they were read of
     std::shared_ptr<scenery::RoadThingsNode> roadThings =
         nullptr;                        ///< switches traffic lights; null without roads
     std::optional<double> seaLevelM{};  ///< z of the sea at the scene's origin; absent: not known
@@ -63,7 +64,8 @@ struct SceneTerrain
         nullptr;                      ///< draws the ground instead of the ROAM terrain; null: none
     std::vector<std::string> notes{}; ///< what is not as it was asked for, one line each
 
-    /// What of its map and beside its roads vehicles may hit, in the scene's frame; null: nothing.
+    /// What of its map and beside its roads vehicles may hit, in the scene's frame; null: nothing, or
+    /// TerrainRequest::wantsObstacles was not set.
     std::shared_ptr<const simulation::ObstacleMap> obstacles = nullptr;
 
     /// Returns the origin of the scene's frame; absent without georeference.

@@ -4,13 +4,13 @@
 #include <osg/Notify>
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
-#include <osgTerrainROAM/core/features/FeatureImport.h>
 
 #include <osgTerrainROAM/FirstLook>
 #include <osgTerrainROAM/RoamTerrain>
 #include <osgTerrainROAM/Serializers>
 
 #include "material/ImageryDrape.h"
+#include "material/PaintFeatures.h"
 #include "material/VoidImagery.h"
 #include "surroundings/Surroundings.h"
 
@@ -31,38 +31,6 @@ osgSky::AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
     settings.visibilityM = description.visibilityM.value_or(settings.visibilityM);
     settings.moonlight = description.moonlight.value_or(settings.moonlight);
     return settings;
-}
-
-/// Imports all sources of features and gives them to the material.
-foundation::Result<core::FeatureReport> paintFeatures(TerrainMaterial& material,
-                                                      const core::RoamFile& description,
-                                                      const core::PlacedTile& tile, MoreFeatures more)
-{
-    core::FeatureSet all;
-    all.features = std::move(more.everywhere);
-    for (const std::filesystem::path& source : description.features)
-    {
-        auto set = core::importFeatures(source, tile, material.kept());
-        if (!set) return set.error();
-        if (set->report.taken < set->report.read)
-            osg::notify(osg::NOTICE) << source.string() << ": " << set->report.message() << std::endl;
-        for (const std::string& note : set->report.notes)
-            osg::notify(osg::NOTICE) << note << std::endl;
-        all.append(std::move(*set));
-    }
-    if (!all.features.empty())
-    {
-        const auto cells = core::FeatureCells::build(all.features);
-        if (!cells) return cells.error();
-        material.setFeatures(*cells);
-    }
-    if (!more.far.empty())
-    {
-        const auto cells = core::FeatureCells::build(more.far);
-        if (!cells) return cells.error();
-        material.setFarFeatures(*cells, more.farFromM);
-    }
-    return all.report;
 }
 
 /// Lays imagery in several resolutions over the tile; one alone is the material's drape.
@@ -234,7 +202,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
         return covered.error();
     if (description.seasonOfYear)
         if (const auto set = material->setSeason(description.seasonOfYear); !set) return set.error();
-    const auto features = paintFeatures(*material, description, tile->tile, std::move(more));
+    const auto features = paintFeatures(*material, description, tile->tile, more);
     if (!features) return features.error();
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material.get());
     terrain->setFeatureReport(*features);

@@ -157,14 +157,24 @@ void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
 
 void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
 {
-    addFeatureTextures(*_stateSet, cells, features, _kept.withoutMark());
+    setFeatures(FeatureMaps::of(cells, _kept.withoutMark()));
+}
+
+void TerrainMaterial::setFeatures(const FeatureMaps& maps)
+{
+    addFeatureTextures(*_stateSet, maps, features);
     _hasFeatures = true;
     setProgram();
 }
 
 void TerrainMaterial::setFarFeatures(const core::FeatureCells& cells, double nearestM)
 {
-    addFarFeatureTexture(*_stateSet, cells, farFeatures, _kept.withoutMark());
+    setFarFeatures(FeatureMaps::farOf(cells, _kept.withoutMark()), nearestM);
+}
+
+void TerrainMaterial::setFarFeatures(const FeatureMaps& maps, double nearestM)
+{
+    addFarFeatureTexture(*_stateSet, maps, farFeatures);
     _stateSet->getOrCreateUniform("farFeatureNearestM", osg::Uniform::FLOAT)
         ->set(static_cast<float>(nearestM));
     _hasFarFeatures = true;

@@ -39,7 +39,7 @@ osg::ref_ptr<osg::Program> makeProgram()
 osg::ref_ptr<osg::StateSet> makeGroundState(osgRoads::RoadDrawable& drawable,
                                             osgTerrainROAM::RoamTerrain& terrain)
 {
-    const osgRoads::core::RoadMesh& mesh = *drawable.mesh();
+    const osgRoads::core::RoadMesh& mesh = drawable.mesh()->outline();
     const auto& frame = terrain.tile()->tile.frame();
     const glm::dvec2 at(mesh.origin);
     const glm::dvec2 grid = frame.gridNear(at);
@@ -78,6 +78,12 @@ osg::ref_ptr<osg::StateSet> makeGroundState(osgRoads::RoadDrawable& drawable,
 } // namespace
 
 osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::RoadMesh> mesh,
+                                     osgTerrainROAM::RoamTerrain* terrain)
+{
+    return makeRoadNode(std::make_shared<const osgRoads::core::PagedRoadMesh>(std::move(mesh)), terrain);
+}
+
+osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::PagedRoadMesh> mesh,
                                      osgTerrainROAM::RoamTerrain* terrain)
 {
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;

@@ -6,7 +6,7 @@
 #include <osg/Node>
 #include <osg/ref_ptr>
 
-#include <osgRoads/core/surface/RoadMesh.h>
+#include <osgRoads/core/surface/PagedRoadMesh.h>
 
 #include <osgTerrainROAM/RoamTerrain>
 
@@ -17,6 +17,8 @@ namespace scenery
 /// Atmosphere, whose uniforms belong above it. Verges and lanes of grass look as the ground of `terrain` does
 /// where they lie; null: they are plain green.
 /// Frame: the scene's, which is the terrain's.
+osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::PagedRoadMesh> mesh,
+                                     osgTerrainROAM::RoamTerrain* terrain = nullptr);
 osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::RoadMesh> mesh,
                                      osgTerrainROAM::RoamTerrain* terrain = nullptr);
 

@@ -235,29 +235,44 @@ osg::ref_ptr<osg::Program> makeLampPoolProgram()
     return lampProgramOf("ground below a lamp", shaders::kLampPoolVertexMain, shaders::kLampPoolMain);
 }
 
-SettlementLights::SettlementLights(std::span<const StreetLamp> lamps, std::span<const WindowPane> panes,
-                                   std::vector<LightPoint> others, const foundation::HeightInPlan& ground)
-    : _poolLevel(new osg::Uniform("lightPools", 1.0F))
+SettlementLights::SettlementLights(const std::vector<StreetLamp>& lamps, std::vector<WindowPane> panes,
+                                   std::vector<LightPoint> others, foundation::HeightInPlan ground)
+    : _unlit(Unlit{{}, std::move(panes), std::move(others), std::move(ground)}),
+      _poolLevel(new osg::Uniform("lightPools", 1.0F))
+{
+    for (const StreetLamp& lamp : lamps)
+        if (const auto groundM = _unlit->ground(lamp.place)) _unlit->lamps.emplace_back(lamp, *groundM);
+    std::erase_if(_unlit->panes,
+                  [](const WindowPane& pane) { return !(litTimes(pane.use, pane.room).litS > 0.0); });
+    _count = _unlit->others.size() + _unlit->lamps.size() + _unlit->panes.size();
+    if (!_unlit->lamps.empty()) _root->addChild(postsOf(_unlit->lamps));
+    showPoints(_unlit->others);
+    light({});
+}
+
+/// Shows these light points alone.
+void SettlementLights::showPoints(std::span<const LightPoint> points)
+{
+    if (_points && _points->node()) _root->removeChild(_points->node());
+    _points.emplace(points);
+    if (_points->node()) _root->addChild(_points->node());
+}
+
+void SettlementLights::makeLights(const Unlit& from)
 {
     LitContents windows, pools;
-    std::vector<std::pair<StreetLamp, double>> standing;
-    std::vector<LightPoint> points = std::move(others);
-    for (const StreetLamp& lamp : lamps)
+    std::vector<LightPoint> points = from.others;
+    for (const auto& [lamp, groundM] : from.lamps)
     {
-        const auto groundM = ground(lamp.place);
-        if (!groundM) continue;
-        standing.emplace_back(lamp, *groundM);
-        points.push_back(lightOf(lamp, *groundM));
-        addPool(points.back(), *groundM, ground, pools);
+        points.push_back(lightOf(lamp, groundM));
+        addPool(points.back(), groundM, from.ground, pools);
     }
-    for (const WindowPane& pane : panes)
+    for (const WindowPane& pane : from.panes)
     {
         const Flash lit = litTimes(pane.use, pane.room);
-        if (lit.litS <= 0.0) continue;
         addPane(pane, lit, windows);
         points.push_back(pointOf(pane, lit));
     }
-    if (!standing.empty()) _root->addChild(postsOf(standing));
     const osg::ref_ptr<osg::StateSet> ofWindows = new osg::StateSet, ofPools = new osg::StateSet;
     ofWindows->setAttributeAndModes(makeWindowProgram());
     ofPools->setAttributeAndModes(makeLampPoolProgram());
@@ -269,10 +284,7 @@ SettlementLights::SettlementLights(std::span<const StreetLamp> lamps, std::span<
     _pools = groupOf(pools, kPoolsFarM, ofPools);
     for (const auto& node : {_windows, _pools})
         if (node) _root->addChild(node);
-    _count = points.size();
-    _points.emplace(points);
-    if (_points->node()) _root->addChild(_points->node());
-    light({});
+    showPoints(points);
 }
 
 void SettlementLights::light(const LightLevels& levels)
@@ -280,6 +292,11 @@ void SettlementLights::light(const LightLevels& levels)
     const float street = levels[static_cast<std::size_t>(LightGroup::street)];
     const bool areWindowsLit = levels[static_cast<std::size_t>(LightGroup::window)] > 0.0F;
     constexpr unsigned kShown = osgSky::SunShadows::kCastsNone;
+    if (_unlit && (street > 0.0F || areWindowsLit))
+    {
+        makeLights(*_unlit);
+        _unlit.reset();
+    }
     _points->light(levels);
     _poolLevel->set(street);
     if (_windows) _windows->setNodeMask(areWindowsLit ? kShown : 0U);

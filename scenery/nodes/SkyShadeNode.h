@@ -47,7 +47,7 @@ private:
     foundation::HeightInPlan _ground;
     std::map<Cell, std::vector<std::size_t>> _inCell; ///< bodies, then walls by their middle, near _sortedAt
     std::optional<glm::dvec2> _sortedAt;
-    std::map<std::size_t, SkyShadePatch> _patches;    ///< of what is near
+    std::map<std::size_t, SkyShadePatch> _patches; ///< of what is near
     std::optional<Cell> _eye;
     bool _isShown = true;
     osg::ref_ptr<osg::Geometry> _geometry;

@@ -2,6 +2,7 @@
 #include "scenery/placement/SkyOccluders.h"
 
 #include <cmath>
+#include <utility>
 
 #include "scenery/models/Catalogue.h"
 
@@ -62,8 +63,10 @@ void addOccluder(SkyOccluders& occluders, const Placement& placement, Kind kind,
 
 } // namespace
 
-void SkyOccluders::add(const SkyOccluders& more)
+void SkyOccluders::add(SkyOccluders more)
 {
+    if (bodies.empty()) std::swap(bodies, more.bodies); // the most are not copied
+    if (walls.empty()) std::swap(walls, more.walls);
     bodies.insert(bodies.end(), more.bodies.begin(), more.bodies.end());
     walls.insert(walls.end(), more.walls.begin(), more.walls.end());
 }

@@ -34,7 +34,7 @@ struct SkyOccluders
     std::vector<SkyOccluder> bodies;
     std::vector<SkyWall> walls;
 
-    void add(const SkyOccluders& more);
+    void add(SkyOccluders more);
 };
 
 /// The share of the light of an even sky that a wall keeps from level ground at a distance before its middle,

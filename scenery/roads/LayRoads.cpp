@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include <foundation/MappedFile.h>
 #include <foundation/Threads.h>
-#include <foundation/WholeText.h>
 
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
@@ -187,25 +189,41 @@ foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& 
     return RoadTile{*tile, std::move(*roads)};
 }
 
-osgRoads::core::RoadMesh roadMeshOf(const osgTerrainROAM::core::RoamFile& description,
-                                    const SceneRoads& roads, const foundation::KeptFrom& kept)
+std::optional<foundation::ContentMark> markOfRoads(const osgTerrainROAM::core::RoamFile& description)
 {
-    constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;
-    const auto make = [&]
-    {
-        return osgRoads::core::buildRoadMesh(*roads.placed,
-                                             osgRoads::core::meshSettingsFor(roads.placed->network()));
-    };
-    const auto file = kept ? foundation::readWholeText(description.roads, kMostBytes)
-                           : foundation::Result<std::string>(foundation::Error{});
-    if (!file) return make();
+    const auto file = foundation::MappedFile::open(description.roads);
+    if (!file) return std::nullopt;
+    file->fetchAll();
     foundation::ContentMark mark;
-    mark.add(*file).addWord(description.roadsOnGround ? 1U : 0U);
+    mark.add(file->text()).addWord(description.roadsOnGround ? 1U : 0U);
     if (const auto& origin = description.roadsOrigin)
         mark.add(std::vector<double>{origin->latitudeDeg, origin->longitudeDeg, origin->headingDeg});
-    return kept.findOrMake("roads", mark, osgRoads::core::roadMeshIn, make,
-                           [](const osgRoads::core::RoadMesh& mesh, std::uintmax_t mostBytes)
-                           { return osgRoads::core::bytesOf(mesh, mostBytes); });
+    return mark;
+}
+
+std::shared_ptr<const osgRoads::core::PagedRoadMesh>
+roadMeshOf(const SceneRoads& roads, const std::optional<foundation::ContentMark>& mark,
+           const foundation::KeptFrom& kept)
+{
+    using osgRoads::core::PagedRoadMesh;
+    using Mesh = std::shared_ptr<const PagedRoadMesh>;
+    const auto make = [&]() -> Mesh
+    {
+        return std::make_shared<const PagedRoadMesh>(
+            std::make_shared<const osgRoads::core::RoadMesh>(osgRoads::core::buildRoadMesh(
+                *roads.placed, osgRoads::core::meshSettingsFor(roads.placed->network()))));
+    };
+    const auto read = [](std::string_view bytes) -> std::optional<Mesh>
+    {
+        const auto packed = std::make_shared<const std::string>(bytes);
+        auto mesh = PagedRoadMesh::in(*packed, packed);
+        return mesh ? std::optional<Mesh>(std::make_shared<const PagedRoadMesh>(*std::move(mesh)))
+                    : std::nullopt;
+    };
+    if (!mark) return make();
+    return kept.findOrMake("roads", *mark, read, make,
+                           [](const Mesh& mesh, std::uintmax_t mostBytes)
+                           { return osgRoads::core::bytesOf(mesh->outline(), mostBytes); });
 }
 
 std::vector<GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads)

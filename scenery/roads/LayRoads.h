@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include <foundation/ContentMark.h>
 #include <foundation/KeptFrom.h>
 #include <foundation/Result.h>
 
-#include <osgRoads/core/surface/RoadMesh.h>
+#include <osgRoads/core/surface/PagedRoadMesh.h>
 #include <osgTerrainROAM/core/RoamFile.h>
 #include <osgTerrainROAM/core/features/GroundFeature.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
@@ -40,9 +42,15 @@ struct RoadTile
 foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description,
                                           const foundation::KeptResults* kept = nullptr);
 
+/// Returns the mark of what roads on a tile follow from besides the tile: their file and how it is placed.
+/// Absent: the file cannot be read.
+std::optional<foundation::ContentMark> markOfRoads(const osgTerrainROAM::core::RoamFile& description);
+
 /// Returns the drawn surface of the roads of a description, found among the kept results or made and kept.
-/// `kept`: what follows from the tile (RoamTile::mark()).
-osgRoads::core::RoadMesh roadMeshOf(const osgTerrainROAM::core::RoamFile& description,
-                                    const SceneRoads& roads, const foundation::KeptFrom& kept);
+/// What is found stays packed until it is drawn. `mark`: markOfRoads(). `kept`: what follows from the tile
+/// (RoamTile::mark()).
+std::shared_ptr<const osgRoads::core::PagedRoadMesh>
+roadMeshOf(const SceneRoads& roads, const std::optional<foundation::ContentMark>& mark,
+           const foundation::KeptFrom& kept);
 
 } // namespace scenery

@@ -145,6 +145,7 @@ foundation::Outcome checkDrive(const DriveRequest& request)
 foundation::Outcome drive(const DriveRequest& asked)
 {
     DriveRequest request = asked;
+    request.play.terrain.wantsObstacles = true;
     const std::filesystem::path& world = request.play.terrain.file;
     const auto data = simulation::readRoadVehicle(request.vehicle);
     if (!data) return data.error();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include <osg/Notify>
+
 #include <osgRoads/RoadShader>
 
 namespace osgRoads
@@ -17,8 +19,6 @@ using osgTraversal::bufferOffset;
 
 constexpr std::array kAttributes{kPositionAttribute, kPlaceAttribute, kNormalAttribute, kFlagsAttribute,
                                  kRowsAttribute};
-
-constexpr std::uint32_t kPageVertices = 1U << 15; ///< about, and no less than a chunk's
 
 template<class Element>
 void fill(osg::GLExtensions& gl, GLenum target, std::span<const Element> elements)
@@ -42,17 +42,7 @@ void setPointers(osg::GLExtensions& gl)
 
 } // namespace
 
-RoadBuffers::RoadBuffers(std::shared_ptr<const core::RoadMesh> mesh) : _mesh(std::move(mesh))
-{
-    for (const core::RoadChunk& chunk : _mesh->chunks)
-    {
-        if (_pages.empty() || _pages.back().vertexCount + chunk.vertexCount > kPageVertices)
-            _pages.push_back({chunk.firstVertex, 0, chunk.levels.front().firstIndex, 0});
-        Page& page = _pages.back();
-        page.vertexCount = chunk.firstVertex + chunk.vertexCount - page.firstVertex;
-        page.indexCount = chunk.levels.back().firstIndex + chunk.levels.back().indexCount - page.firstIndex;
-    }
-}
+RoadBuffers::RoadBuffers(std::shared_ptr<const core::PagedRoadMesh> mesh) : _mesh(std::move(mesh)) {}
 
 RoadBuffers::Context& RoadBuffers::contextOf(osg::State& state)
 {
@@ -60,14 +50,6 @@ RoadBuffers::Context& RoadBuffers::contextOf(osg::State& state)
     std::unique_ptr<Context>& context = _contexts[state.getContextID()];
     if (!context) context = std::make_unique<Context>();
     return *context;
-}
-
-std::size_t RoadBuffers::pageOf(std::uint32_t index) const
-{
-    const auto after =
-        std::upper_bound(_pages.begin(), _pages.end(), index,
-                         [](std::uint32_t i, const Page& page) { return i < page.firstIndex; });
-    return static_cast<std::size_t>(after - _pages.begin()) - 1;
 }
 
 /// Binds the buffers of a page, and fills them where they are new.
@@ -81,14 +63,20 @@ void RoadBuffers::bind(osg::State& state, Context& context, std::size_t number) 
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, pair.indices.name(gl));
     setPointers(gl);
     if (!isNew) return;
-    const Page& page = _pages[number];
-    fill(gl, GL_ARRAY_BUFFER_ARB, std::span(_mesh->vertices).subspan(page.firstVertex, page.vertexCount));
-    std::vector<std::uint32_t> indices(_mesh->indices.begin() + page.firstIndex,
-                                       _mesh->indices.begin() + page.firstIndex + page.indexCount);
-    for (std::uint32_t& index : indices)
-        index -= page.firstVertex;
-    fill(gl, GL_ELEMENT_ARRAY_BUFFER_ARB, std::span<const std::uint32_t>(indices));
-    context.bytes += page.bytes();
+    auto content = _mesh->read(number);
+    if (!content)
+    {
+        OSG_WARN
+            << "roads: a kept page of their surface is damaged and is not drawn; remove the folder of kept "
+               "results\n";
+        const core::RoadPage& page = _mesh->pages()[number]; // its triangles are drawn, each as one point
+        content.emplace();
+        content->vertices.resize(1);
+        content->indices.resize(page.indexCount);
+    }
+    fill(gl, GL_ARRAY_BUFFER_ARB, std::span<const MeshVertex>(content->vertices));
+    fill(gl, GL_ELEMENT_ARRAY_BUFFER_ARB, std::span<const std::uint32_t>(content->indices));
+    context.bytes += _mesh->pages()[number].bytes();
 }
 
 /// Releases pages that this draw did not need, those not drawn for longest first, until the rest is small
@@ -101,7 +89,7 @@ void RoadBuffers::releaseOld(Context& context) const
             std::min_element(context.pairs.begin(), context.pairs.end(),
                              [](const auto& a, const auto& b) { return a.second.drawn < b.second.drawn; });
         if (oldest->second.drawn == context.draws) return;
-        context.bytes -= _pages[oldest->first].bytes();
+        context.bytes -= _mesh->pages()[oldest->first].bytes();
         context.pairs.erase(oldest);
     }
 }
@@ -121,8 +109,8 @@ void RoadBuffers::draw(osg::State& state, std::span<const RoadRange> ranges)
     std::vector<const void*> offsets;
     for (std::size_t i = 0; i < ranges.size();)
     {
-        const std::size_t number = pageOf(ranges[i].first);
-        const Page& page = _pages[number];
+        const std::size_t number = _mesh->pageOf(ranges[i].first);
+        const core::RoadPage& page = _mesh->pages()[number];
         counts.clear();
         offsets.clear();
         for (; i < ranges.size() && ranges[i].first - page.firstIndex < page.indexCount; ++i)

@@ -10,7 +10,7 @@
 
 #include <osg/State>
 
-#include <osgRoads/core/surface/RoadMesh.h>
+#include <osgRoads/core/surface/PagedRoadMesh.h>
 
 #include <osgTraversal/ContextBuffer>
 
@@ -23,9 +23,9 @@ struct RoadRange
     std::uint32_t first = 0, count = 0;
 };
 
-/// The buffers of a road mesh in the graphics contexts. The mesh is cut into pages of consecutive chunks; a
-/// context has those that were drawn, so that of a large network only the surroundings of its eyes are held
-/// twice. Beyond kMostBytes pages that have not been drawn for longest are released.
+/// The buffers of a road mesh in the graphics contexts. A context has the pages that were drawn, so that of a
+/// large network only the surroundings of its eyes are there. Beyond kMostBytes pages that have not been
+/// drawn for longest are released. A page whose bytes are damaged is not drawn, which is told once.
 /// Threads: draw() in draw threads; release from any.
 class RoadBuffers
 {
@@ -33,9 +33,9 @@ public:
     static constexpr std::size_t kMostBytes = std::size_t{256}
                                               << 20; ///< of a context, but for what one draw needs
 
-    explicit RoadBuffers(std::shared_ptr<const core::RoadMesh> mesh);
+    explicit RoadBuffers(std::shared_ptr<const core::PagedRoadMesh> mesh);
 
-    const core::RoadMesh& mesh() const { return *_mesh; }
+    const core::PagedRoadMesh& mesh() const { return *_mesh; }
     /// Draws ranges of indices, which lie within one chunk each and grow.
     void draw(osg::State& state, std::span<const RoadRange> ranges);
 
@@ -46,17 +46,6 @@ public:
     void releaseGLObjects(osg::State* state);
 
 private:
-    /// Chunks that share buffers; they have their vertices and indices for themselves.
-    struct Page
-    {
-        std::uint32_t firstVertex = 0, vertexCount = 0, firstIndex = 0, indexCount = 0;
-
-        std::size_t bytes() const
-        {
-            return vertexCount * sizeof(core::MeshVertex) + indexCount * sizeof(std::uint32_t);
-        }
-    };
-
     struct Pair
     {
         explicit Pair(unsigned int contextId) : vertices(contextId), indices(contextId) {}
@@ -73,12 +62,10 @@ private:
     };
 
     Context& contextOf(osg::State& state);
-    std::size_t pageOf(std::uint32_t index) const;
     void bind(osg::State& state, Context& context, std::size_t page) const;
     void releaseOld(Context& context) const;
 
-    std::shared_ptr<const core::RoadMesh> _mesh;
-    std::vector<Page> _pages;
+    std::shared_ptr<const core::PagedRoadMesh> _mesh;
     mutable std::mutex _mutex;
     std::map<unsigned int, std::unique_ptr<Context>> _contexts;
 };

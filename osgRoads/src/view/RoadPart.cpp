@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "RoadPart.h"
 
+#include <optional>
+
 #include <osgTraversal/ProgramUniforms>
 
 namespace osgRoads
@@ -45,7 +47,7 @@ void RoadPart::setUniforms(osg::State& state) const
 {
     const osg::Matrixd& eyeFromLocal = state.getModelViewMatrix();
     const osg::Vec3d eye = osgTraversal::eyeInLocal(state);
-    const glm::dvec3& origin = _buffers->mesh().origin;
+    const glm::dvec3& origin = _buffers->mesh().outline().origin;
     const auto whole = osgTraversal::WholeSteps::of(eye - osg::Vec3d(origin.x, origin.y, origin.z),
                                                     core::RoadMesh::kMeshStepM);
     const osgTraversal::ProgramUniforms uniforms(state);
@@ -74,18 +76,29 @@ void RoadPart::accept(osg::PrimitiveFunctor& functor) const
     showTriangles(_buffers->mesh(), _ranges, functor);
 }
 
-void showTriangles(const core::RoadMesh& mesh, const std::vector<RoadRange>& ranges,
+void showTriangles(const core::PagedRoadMesh& mesh, const std::vector<RoadRange>& ranges,
                    osg::PrimitiveFunctor& functor)
 {
     // OSG's functors know no positions in double precision.
     std::vector<osg::Vec3f> places;
+    std::optional<core::RoadPageContent> content;
+    std::size_t number = mesh.pages().size();
     for (const RoadRange& range : ranges)
-        for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
+    {
+        if (const std::size_t next = mesh.pageOf(range.first); next != number)
         {
-            const glm::dvec3 place = mesh.placeOf(mesh.vertices[mesh.indices[i]]);
+            content = mesh.read(next);
+            number = next;
+        }
+        if (!content) continue;
+        const std::uint32_t first = range.first - mesh.pages()[number].firstIndex;
+        for (std::uint32_t i = first; i < first + range.count; ++i)
+        {
+            const glm::dvec3 place = mesh.outline().placeOf(content->vertices[content->indices[i]]);
             places.emplace_back(static_cast<float>(place.x), static_cast<float>(place.y),
                                 static_cast<float>(place.z));
         }
+    }
     if (places.empty()) return;
     functor.setVertexArray(static_cast<unsigned int>(places.size()), places.data());
     functor.drawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(places.size()));

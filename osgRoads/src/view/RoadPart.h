@@ -50,7 +50,7 @@ private:
 };
 
 /// Shows the triangles of ranges to a functor (statistics, intersection), in the scene's frame.
-void showTriangles(const core::RoadMesh& mesh, const std::vector<RoadRange>& ranges,
+void showTriangles(const core::PagedRoadMesh& mesh, const std::vector<RoadRange>& ranges,
                    osg::PrimitiveFunctor& functor);
 
 } // namespace osgRoads

@@ -73,7 +73,7 @@ TEST(KeptGround, HasTheMapsThatWouldBeMade)
     const std::string first = ground.texels();
     EXPECT_TRUE(first == made);
     const auto files = filesIn(ground.made);
-    for (const char* name : {"bounds-", "detail-", "far-", "grain-", "land-", "normals-", "outer-"})
+    for (const char* name : {"beds-", "bounds-", "detail-", "far-", "grain-", "land-", "normals-", "outer-"})
         EXPECT_TRUE(files.lower_bound(name) != files.end() &&
                     files.lower_bound(name)->first.starts_with(name))
             << name;
@@ -92,7 +92,7 @@ TEST(KeptGround, AnotherClimateOrOtherFeaturesHaveMapsOfTheirOwn)
     EXPECT_TRUE(ground.texels(dry) == ground.texels(dry, paintedCells(), false));
     EXPECT_EQ(filesIn(ground.made).size(), files + 2); // land and outer
     EXPECT_TRUE(ground.texels({}, paintedCells(300.0)) != first);
-    EXPECT_EQ(filesIn(ground.made).size(), files + 4); // the far maps of two sizes
+    EXPECT_EQ(filesIn(ground.made).size(), files + 4); // the far maps, and those of beds alone
 }
 
 TEST(KeptGround, DamagedMapsAreMadeAnew)

@@ -5,20 +5,16 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include <osgRoads/core/surface/RoadMesh.h>
 
 namespace osgRoads::core
 {
 
-/// Returns a mesh as bytes, for roadMeshIn(): a sixth of what it takes in memory. Numbers are the machine's.
+/// Returns a mesh as bytes, for PagedRoadMesh::in(): a sixth of what it takes in memory. Numbers are the
+/// machine's.
 /// Absent: they would be more than `mostBytes`.
 std::optional<std::string> bytesOf(const RoadMesh& mesh,
                                    std::uintmax_t mostBytes = std::numeric_limits<std::uintmax_t>::max());
-
-/// Absent: bytesOf() did not write them. Ranges and indices are checked, so that what is returned can be
-/// drawn.
-std::optional<RoadMesh> roadMeshIn(std::string_view bytes);
 
 } // namespace osgRoads::core

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "FeatureMaps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include <foundation/PlainBytes.h>
+
+#include <osgTerrainROAM/core/features/FeatureCover.h>
+
+#include "ImageBytes.h"
+#include "ParallelRows.h"
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+constexpr int kRecordsPerRow = 1024; ///< a power of two: the shader divides by a shift and a mask
+constexpr int kMaxFarSide = 4096;
+
+osg::ref_ptr<osg::Image> floatImage(int width, int height)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(width, height, 1, GL_RGBA, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    std::memset(image->data(), 0, image->getTotalSizeInBytes());
+    return image;
+}
+
+/// Whether a cell lists a road with markings.
+bool listsMarkedRoad(const core::FeatureCells& cells, const core::FeatureCells::Cell& cell)
+{
+    constexpr float kMarked = 256.0F; // of a line's code
+    std::size_t record = cell.first;
+    for (std::uint32_t area = 0; area < cell.areas; ++area)
+        record += 2 + static_cast<std::size_t>(cells.records[record][0]);
+    for (std::uint32_t line = 0; line < cell.lines; ++line, record += 2)
+        if (cells.records[record + 1][2] >= kMarked) return true;
+    return false;
+}
+
+/// A half is added to the number of lines where a road among them has markings.
+osg::ref_ptr<osg::Image> cellImage(const core::FeatureCells& cells)
+{
+    const osg::ref_ptr<osg::Image> image = floatImage(cells.columns, cells.rows);
+    auto* out = reinterpret_cast<float*>(image->data());
+    for (const core::FeatureCells::Cell& cell : cells.cells)
+    {
+        *out++ = static_cast<float>(cell.first);
+        *out++ = static_cast<float>(cell.areas);
+        *out++ = static_cast<float>(cell.lines) + (listsMarkedRoad(cells, cell) ? 0.5F : 0.0F);
+        *out++ = static_cast<float>(cell.strokes);
+    }
+    return image;
+}
+
+osg::ref_ptr<osg::Image> recordImage(const core::FeatureCells& cells)
+{
+    const auto rows = static_cast<int>((cells.records.size() + kRecordsPerRow - 1) / kRecordsPerRow);
+    const osg::ref_ptr<osg::Image> image = floatImage(kRecordsPerRow, std::max(rows, 1));
+    if (!cells.records.empty())
+        std::memcpy(image->data(), cells.records.data(), cells.records.size() * sizeof(cells.records[0]));
+    return image;
+}
+
+/// Paints the far maps.
+class FarPainter
+{
+public:
+    osg::ref_ptr<osg::Image> crops, beds;
+
+    FarPainter(const core::FeatureCells& cells, int texelsPerCell) : _perCell(texelsPerCell)
+    {
+        crops = new osg::Image;
+        beds = new osg::Image;
+        for (osg::Image* image : {crops.get(), beds.get()})
+        {
+            image->allocateImage(cells.columns * _perCell, cells.rows * _perCell, 1, GL_RGBA,
+                                 GL_UNSIGNED_BYTE);
+            image->setInternalTextureFormat(GL_RGBA8);
+            std::memset(image->data(), 0, image->getTotalSizeInBytes());
+        }
+        parallelRows(cells.rows,
+                     [&](int first, int end)
+                     {
+                         for (int row = first; row < end; ++row)
+                             for (int column = 0; column < cells.columns; ++column)
+                                 fillCell(cells, column, row);
+                     });
+    }
+
+private:
+    void fillCell(const core::FeatureCells& cells, int column, int row) const
+    {
+        const auto& cell = cells.cells[static_cast<std::size_t>(row) * cells.columns + column];
+        if (cell.areas + cell.lines + cell.strokes == 0) return;
+        for (int y = row * _perCell; y < (row + 1) * _perCell; ++y)
+            for (int x = column * _perCell; x < (column + 1) * _perCell; ++x)
+                fillTexel(cells, x, y);
+    }
+
+    void fillTexel(const core::FeatureCells& cells, int x, int y) const
+    {
+        const double texelM = cells.cellM / _perCell;
+        // Lists reach 16 m: a wider texel takes the mean of several filters.
+        const int parts = static_cast<int>(std::ceil(texelM / (2.0 * core::FeatureCells::kReachM)));
+        float sums[8]{};
+        for (int j = 0; j < parts; ++j)
+            for (int i = 0; i < parts; ++i)
+            {
+                const glm::dvec2 at(x + (i + 0.5) / parts, y + (j + 0.5) / parts);
+                const glm::dvec2 place = glm::dvec2(cells.firstCell) * cells.cellM + at * texelM;
+                const core::FeatureCover cover = core::featureCover(cells, place, texelM / parts);
+                for (std::size_t c = 0; c < 4; ++c)
+                    sums[c] += cover.crops[c];
+                for (const auto& [c, value] :
+                     {std::pair{4, cover.river}, {5, cover.asphalt}, {6, cover.gravel}, {7, cover.runway}})
+                    sums[c] += value;
+            }
+        const std::size_t texel = 4 * (static_cast<std::size_t>(y) * crops->s() + x);
+        for (std::size_t c = 0; c < 8; ++c)
+            (c < 4 ? crops : beds)->data()[texel + (c & 3)] =
+                static_cast<unsigned char>(std::lround(255.0f * std::min(sums[c] / (parts * parts), 1.0f)));
+    }
+
+    const int _perCell;
+};
+
+FeatureMaps gridOf(const core::FeatureCells& cells, int mostPerCell)
+{
+    FeatureMaps maps;
+    maps.firstCell = cells.firstCell;
+    maps.columns = cells.columns;
+    maps.rows = cells.rows;
+    maps.cellM = cells.cellM;
+    maps.farPerCell = mostPerCell;
+    while (maps.farPerCell > 1 && std::max(cells.columns, cells.rows) * maps.farPerCell > kMaxFarSide)
+        maps.farPerCell /= 2;
+    return maps;
+}
+
+foundation::ContentMark markOf(const core::FeatureCells& cells, const FeatureMaps& maps)
+{
+    return core::markOfCells(cells).addWord(static_cast<unsigned>(maps.farPerCell));
+}
+
+/// The plain numbers of maps.
+struct MapNumbers
+{
+    glm::ivec2 firstCell{0};
+    std::int32_t columns = 0, rows = 0;
+    double cellM = 0.0;
+    std::int32_t farPerCell = 0;
+    std::uint32_t images = 0; ///< a bit for each that is there, in the order of imagesOf()
+};
+
+std::array<FeatureMaps::Image*, 4> imagesOf(FeatureMaps& maps)
+{
+    return {&maps.cells, &maps.records, &maps.crops, &maps.beds};
+}
+
+bool hasSides(const osg::Image& image, int width, int height)
+{
+    return image.s() == width && image.t() == height;
+}
+
+/// Whether images have the sizes that the shaders count on.
+bool fit(const FeatureMaps& maps)
+{
+    constexpr int kMostCells = 1 << 20;
+    if (maps.columns == 0 && maps.rows == 0) return !maps.cells && !maps.records && !maps.crops && !maps.beds;
+    if (maps.columns < 0 || maps.rows < 0 || maps.columns > kMostCells || maps.rows > kMostCells ||
+        !(maps.cellM >= 1.0 && maps.cellM <= 1e6) || maps.farPerCell < 1 || maps.farPerCell > kMaxFarSide ||
+        !maps.beds)
+        return false;
+    const int far = maps.farPerCell;
+    const auto isFar = [&](const osg::Image& image)
+    { return hasSides(image, std::max(maps.columns * far, 1), std::max(maps.rows * far, 1)); };
+    const auto isOfFloats = [](const osg::Image& image) { return image.getDataType() == GL_FLOAT; };
+    if (!isFar(*maps.beds)) return false;
+    if (!maps.cells && !maps.records && !maps.crops) return true;
+    return maps.cells && maps.records && maps.crops && isFar(*maps.crops) && isOfFloats(*maps.cells) &&
+           isOfFloats(*maps.records) && maps.records->s() == kRecordsPerRow &&
+           hasSides(*maps.cells, std::max(maps.columns, 1), std::max(maps.rows, 1));
+}
+
+} // namespace
+
+FeatureMaps FeatureMaps::of(const core::FeatureCells& cells, const foundation::KeptFrom& kept)
+{
+    constexpr int kMaxFarPerCell = 8;
+    FeatureMaps maps = gridOf(cells, kMaxFarPerCell);
+    maps.runways = cells.runways;
+    maps.cells = cellImage(cells);
+    maps.records = recordImage(cells);
+    const auto far = keptImages<2>(kept, "far", markOf(cells, maps),
+                                   [&]
+                                   {
+                                       const FarPainter painted(cells, maps.farPerCell);
+                                       return std::array{painted.crops, painted.beds};
+                                   });
+    maps.crops = far[0];
+    maps.beds = far[1];
+    return maps;
+}
+
+FeatureMaps FeatureMaps::farOf(const core::FeatureCells& cells, const foundation::KeptFrom& kept)
+{
+    constexpr int kMaxBedsPerCell = 16;
+    FeatureMaps maps = gridOf(cells, kMaxBedsPerCell);
+    if (cells.cells.empty()) return maps;
+    maps.beds =
+        keptImage(kept, "beds", markOf(cells, maps), [&] { return FarPainter(cells, maps.farPerCell).beds; });
+    return maps;
+}
+
+std::string bytesOf(const FeatureMaps& maps)
+{
+    FeatureMaps copy = maps;
+    MapNumbers numbers{maps.firstCell, maps.columns, maps.rows, maps.cellM, maps.farPerCell, 0};
+    const auto images = imagesOf(copy);
+    for (std::size_t i = 0; i < images.size(); ++i)
+        numbers.images |= *images[i] ? 1U << i : 0U;
+    std::string bytes;
+    foundation::appendValue(bytes, numbers);
+    foundation::appendValues(bytes, maps.runways);
+    for (const FeatureMaps::Image* image : images)
+        if (*image) foundation::appendText(bytes, bytesOf(**image));
+    return bytes;
+}
+
+std::optional<FeatureMaps> featureMapsIn(std::string_view bytes)
+{
+    foundation::ValueTaker taker(bytes);
+    MapNumbers numbers;
+    FeatureMaps maps;
+    if (!taker.take(numbers) || !taker.take(maps.runways)) return std::nullopt;
+    maps.firstCell = numbers.firstCell;
+    maps.columns = numbers.columns;
+    maps.rows = numbers.rows;
+    maps.cellM = numbers.cellM;
+    maps.farPerCell = numbers.farPerCell;
+    const auto images = imagesOf(maps);
+    for (std::size_t i = 0; i < images.size(); ++i)
+    {
+        std::string_view text;
+        if ((numbers.images >> i & 1U) == 0) continue;
+        auto image = taker.take(text) ? imageIn(text) : std::nullopt;
+        if (!image) return std::nullopt;
+        *images[i] = *std::move(image);
+    }
+    return taker.isEmpty() && fit(maps) ? std::optional(std::move(maps)) : std::nullopt;
+}
+
+} // namespace osgTerrainROAM
