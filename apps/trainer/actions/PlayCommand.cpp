@@ -109,6 +109,7 @@ foundation::Result<PlayRequest> withSeat(const simulation::Scenario& scenario, c
     auto seated = seatFor(scenario, seat, watched);
     if (!seated) return seated.error();
     request.seat = std::move(*seated);
+    request.terrain.wantsObstacles = request.seat.has_value();
     if (request.seat && request.frames.eyeEntity.empty()) request.frames.eyeEntity = request.seat->entity;
     return request;
 }
@@ -164,7 +165,7 @@ foundation::Outcome play(const PlayRequest& request)
     const auto seated = withSeat(parsed->scenario, request);
     if (!seated) return seated.error();
     if (const auto told = tellInputs(parsed->scenario, *seated); !told) return told;
-    auto terrain = openStage(parsed->scenario, request);
+    auto terrain = openStage(parsed->scenario, *seated);
     if (!terrain) return terrain.error();
     if (!saysSun(parsed->scenario))
         std::cout << "note: the scenario has no TimeOfDay in Init; "
@@ -209,7 +210,9 @@ foundation::Outcome playScene(SceneTerrain terrain, simulation::Scenario scenari
 
 foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)
 {
-    auto terrain = openElevation(request.terrain.file, request.terrain);
+    TerrainRequest wanted = request.terrain;
+    wanted.wantsObstacles = request.window.isWanted; // somebody may take over what tours
+    auto terrain = openElevation(wanted.file, wanted);
     if (!terrain) return terrain.error();
     const auto laid = layTourFor(*terrain, request, durationS);
     if (!laid) return laid.error();
