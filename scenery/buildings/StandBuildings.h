@@ -27,9 +27,9 @@ struct StandingBuildings
 
 /// Makes buildings of a map's areas (buildingOf()) and points (towerOf()) and puts them on the ground. The
 /// door is on the side of the nearest street, or on the longest one, and the floor at the ground there;
-/// higher where more than kMostWallSunkM of a wall would lie in the ground, but not by so much that walls show
-/// below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and half
-/// a metre into it. Parts of one building (kWholeTag) have one floor, that of the largest on the ground;
+/// higher where more than kMostWallSunkM of a wall would lie in the ground, but not by so much that walls
+/// show below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and
+/// half a metre into it. Parts of one building (kWholeTag) have one floor, that of the largest on the ground;
 /// one that lies kPassedM above it or more, where vehicles may pass, keeps so far above the ground below it.
 StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes,
                                  const foundation::HeightInPlan& ground, const NearestStreet& street = {});
@@ -45,8 +45,8 @@ std::optional<GroundSpan> groundUnder(const std::vector<std::vector<glm::dvec2>>
 /// The tag of a part that names the building which it is a part of.
 inline constexpr std::string_view kWholeTag = "part_of";
 
-inline constexpr double kPassedM = 4.5;   ///< free height of what vehicles pass below
-inline constexpr double kFootM = 0.5;     ///< of walls in the lowest ground
+inline constexpr double kPassedM = 4.5;       ///< free height of what vehicles pass below
+inline constexpr double kFootM = 0.5;         ///< of walls in the lowest ground
 inline constexpr double kMostWallSunkM = 2.4; ///< of the uphill walls
 inline constexpr double kMostCellarM = 3.0;
 

@@ -10,8 +10,8 @@
 namespace foundation
 {
 
-/// The hash FNV-1a of 64 bits (Fowler, Noll, Vo 1991), byte by byte: equal on every machine, so that what follows from it may be
-/// kept in files and goldens. Not against forgery.
+/// The hash FNV-1a of 64 bits (Fowler, Noll, Vo 1991), byte by byte: equal on every machine, so that what
+/// follows from it may be kept in files and goldens. Not against forgery.
 class Fnv1a
 {
 public:
@@ -20,12 +20,14 @@ public:
 
     constexpr void add(std::string_view bytes)
     {
-        for (const char byte : bytes) addByte(static_cast<unsigned char>(byte));
+        for (const char byte : bytes)
+            addByte(static_cast<unsigned char>(byte));
     }
     /// Adds the lowest BYTES bytes of a number, the lowest first.
     constexpr void addNumber(std::uint64_t number, std::size_t bytes)
     {
-        for (std::size_t i = 0; i < bytes; ++i) addByte(static_cast<unsigned char>(number >> (8 * i)));
+        for (std::size_t i = 0; i < bytes; ++i)
+            addByte(static_cast<unsigned char>(number >> (8 * i)));
     }
     constexpr std::uint64_t value() const { return _value; }
     /// 16 digits.
