@@ -70,6 +70,17 @@ roadsFor(const simulation::Scenario& scenario, const std::filesystem::path& fold
     return areAlike((*roads)->network(), terrain.roads->network()) ? roadsOf(terrain) : roads;
 }
 
+/// Adds what breaks the standard in the file of the roads that a play uses, where nothing has said it yet.
+void addMistakes(const simulation::RoadScene* roads, std::vector<std::string>& notes)
+{
+    if (!roads) return;
+    for (const foundation::Error& mistake : roads->mistakes())
+        if (std::none_of(notes.begin(), notes.end(),
+                         [&](const std::string& note)
+                         { return note.find(mistake.what) != std::string::npos; }))
+            notes.push_back(mistake.message());
+}
+
 /// Gives a field a share of its triangles.
 void setBudget(osgPMObjects::ProgressiveField& field, osgPMObjects::core::SceneBudgetSettings budget,
                double share)
@@ -199,6 +210,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     auto player = simulation::ScenarioPlayer::create(std::move(scenario), *stage);
     if (!player) return player.error();
     play.player = std::move(*player);
+    addMistakes(stage->roads.get(), play.terrain.notes);
     play.seat = seatOf(*stage);
     if (!request.scenario.empty() && request.frames.eye != EyePoint::free)
         if (const auto placed =
