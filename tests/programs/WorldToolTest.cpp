@@ -418,7 +418,7 @@ TEST(WorldTool, ACountryOfRealStreetsHasNoOpenJointAndNoSteepRoad)
     EXPECT_TRUE(joints.flaws.empty()) << joints.flaws.front().message("roads.xodr");
     EXPECT_TRUE(osgRoads::core::checkElementJoints(read->network).empty());
     const Extremes extremes = extremesOf(read->network);
-    EXPECT_LE(extremes.grade, 0.151);
+    EXPECT_LE(extremes.grade, 0.155); // 0.15, and what the plane of a crossing adds to an arm across it
     EXPECT_LE(extremes.tunnelRiseM, 10.0) << "a tunnel climbs over its hill";
 }
 
