@@ -132,6 +132,15 @@ nlohmann::ordered_json rowOf(const worldmaking::WorldFaults& faults)
 namespace
 {
 
+/// Adds where a place of a tile that lies on the Earth is. Units: degrees.
+void addDegrees(nlohmann::ordered_json& row, const glm::dvec3& place, const PlacedTile& tile)
+{
+    if (tile.frame().placement() != osgTerrainROAM::core::Placement::curved) return;
+    const auto at = tile.frame().geodeticFromLocal(place);
+    row["latitudeDeg"] = at.latitudeDeg;
+    row["longitudeDeg"] = at.longitudeDeg;
+}
+
 /// The places of roads that the ground leaves or covers. Units: metres, degrees.
 nlohmann::ordered_json placesOf(const worldmaking::WorldFaults& faults,
                                 const osgRoads::core::PlacedNetwork& roads, const PlacedTile& tile)
@@ -145,12 +154,7 @@ nlohmann::ordered_json placesOf(const worldmaking::WorldFaults& faults,
                                    {"sM", fault.sM},
                                    {"byM", fault.byM},
                                    {"isTurn", !road.junctionId.empty()}};
-        if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
-        {
-            const auto at = tile.frame().geodeticFromLocal(fault.place);
-            row["latitudeDeg"] = at.latitudeDeg;
-            row["longitudeDeg"] = at.longitudeDeg;
-        }
+        addDegrees(row, fault.place, tile);
         if (fault.other >= 0)
             row["beside"] = {{"road", roads.road(fault.other).id},
                              {"awayM", fault.otherM},
@@ -192,16 +196,10 @@ nlohmann::ordered_json watersOf(const worldmaking::WorldFaults& faults, const Pl
                                    {"rise", fault.figures.rise},
                                    {"lowShore", fault.figures.lowShore},
                                    {"isKnown", fault.figures.isKnown}};
-        if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
-        {
-            const auto at = tile.frame().geodeticFromLocal({fault.place, 0.0});
-            row["latitudeDeg"] = at.latitudeDeg;
-            row["longitudeDeg"] = at.longitudeDeg;
-            const auto steep = tile.frame().geodeticFromLocal({fault.figures.steepAt, 0.0});
-            if (fault.figures.slope > 0.0)
-                row["steepestAt"] = {{"latitudeDeg", steep.latitudeDeg},
-                                     {"longitudeDeg", steep.longitudeDeg}};
-        }
+        addDegrees(row, {fault.place, 0.0}, tile);
+        nlohmann::ordered_json steepest;
+        if (fault.figures.slope > 0.0) addDegrees(steepest, {fault.figures.steepAt, 0.0}, tile);
+        if (!steepest.is_null()) row["steepestAt"] = std::move(steepest);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -221,12 +219,7 @@ nlohmann::ordered_json crossingsOf(const worldmaking::WorldFaults& faults,
                                    {"wantedM", fault.wantedM}};
         if (roads && fault.road >= 0) row["road"] = roads->road(fault.road).id;
         if (roads && fault.other >= 0) row["other"] = roads->road(fault.other).id;
-        if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
-        {
-            const auto at = tile.frame().geodeticFromLocal(fault.place);
-            row["latitudeDeg"] = at.latitudeDeg;
-            row["longitudeDeg"] = at.longitudeDeg;
-        }
+        addDegrees(row, fault.place, tile);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -247,12 +240,7 @@ nlohmann::ordered_json junctionsOf(const worldmaking::WorldFaults& faults,
                                    {"sM", fault.sM},
                                    {isStep ? "byM" : "lean", fault.by}};
         if (fault.other >= 0) row["other"] = roads.road(fault.other).id;
-        if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
-        {
-            const auto at = tile.frame().geodeticFromLocal(fault.place);
-            row["latitudeDeg"] = at.latitudeDeg;
-            row["longitudeDeg"] = at.longitudeDeg;
-        }
+        addDegrees(row, fault.place, tile);
         rows.push_back(std::move(row));
     }
     return rows;
