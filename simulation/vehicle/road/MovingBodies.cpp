@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/vehicle/road/MovingBodies.h"
 
-#include <cmath>
+#include "simulation/vehicle/road/ObstaclePlace.h"
 
 namespace simulation
 {
@@ -10,17 +10,6 @@ namespace
 {
 
 constexpr int kIsMover = 0x0b58; ///< in the second index of a body of Bullet
-
-btVector3 halfOf(const Obstacle& box)
-{
-    return {box.halfM.x, box.halfM.y, 0.5 * (box.highM - box.lowM)};
-}
-
-btTransform moverPlace(const Obstacle& box)
-{
-    return btTransform(btQuaternion(btVector3(0.0, 0.0, 1.0), std::atan2(box.along.y, box.along.x)),
-                       btVector3(box.middle.x, box.middle.y, 0.5 * (box.lowM + box.highM)));
-}
 
 } // namespace
 
@@ -39,7 +28,7 @@ std::optional<int> MovingBodies::numberOf(const btCollisionObject& object)
 void MovingBodies::make(const MovingObstacle& thing, Mover& mover)
 {
     if (mover.body) _world.removeRigidBody(mover.body.get());
-    mover.halfM = halfOf(thing.box);
+    mover.halfM = obstacleHalf(thing.box);
     mover.shape = std::make_unique<btBoxShape>(mover.halfM);
     mover.body = std::make_unique<btRigidBody>(
         btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, mover.shape.get()));
@@ -49,7 +38,7 @@ void MovingBodies::make(const MovingObstacle& thing, Mover& mover)
     mover.body->setRestitution(1.0); // times that of the hull
     mover.body->setUserIndex(thing.number);
     mover.body->setUserIndex2(kIsMover);
-    mover.body->setWorldTransform(moverPlace(thing.box));
+    mover.body->setWorldTransform(obstaclePlace(thing.box));
     _world.addRigidBody(mover.body.get(), btBroadphaseProxy::KinematicFilter,
                         btBroadphaseProxy::AllFilter ^
                             (btBroadphaseProxy::StaticFilter | btBroadphaseProxy::KinematicFilter));
@@ -62,11 +51,11 @@ void MovingBodies::place(std::span<const MovingObstacle> movers)
     for (const MovingObstacle& thing : movers)
     {
         Mover& mover = _movers[thing.number];
-        if (!mover.body || mover.halfM != halfOf(thing.box)) make(thing, mover);
+        if (!mover.body || mover.halfM != obstacleHalf(thing.box)) make(thing, mover);
         mover.isThere = true;
         mover.velocity = {thing.velocity.x, thing.velocity.y, 0.0};
         // Both the same: what it is put back by is no speed.
-        mover.body->setWorldTransform(moverPlace(thing.box));
+        mover.body->setWorldTransform(obstaclePlace(thing.box));
         mover.body->setInterpolationWorldTransform(mover.body->getWorldTransform());
     }
     std::erase_if(_movers,

@@ -2,8 +2,9 @@
 #include "simulation/vehicle/road/ObstacleBodies.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "simulation/vehicle/road/ObstaclePlace.h"
 
 namespace simulation
 {
@@ -15,17 +16,10 @@ constexpr int kIsObstacle = 0x0b57; ///< in the second index of a body of Bullet
 
 std::unique_ptr<btCollisionShape> obstacleShape(const Obstacle& obstacle)
 {
-    const double halfHeightM = 0.5 * (obstacle.highM - obstacle.lowM);
+    const btVector3 halfM = obstacleHalf(obstacle);
     if (obstacle.isRound)
-        return std::make_unique<btCylinderShapeZ>(btVector3(obstacle.halfM.x, obstacle.halfM.x, halfHeightM));
-    return std::make_unique<btBoxShape>(btVector3(obstacle.halfM.x, obstacle.halfM.y, halfHeightM));
-}
-
-btTransform obstaclePlace(const Obstacle& obstacle)
-{
-    const btVector3 middle(obstacle.middle.x, obstacle.middle.y, 0.5 * (obstacle.lowM + obstacle.highM));
-    return btTransform(btQuaternion(btVector3(0.0, 0.0, 1.0), std::atan2(obstacle.along.y, obstacle.along.x)),
-                       middle);
+        return std::make_unique<btCylinderShapeZ>(btVector3(halfM.x(), halfM.x(), halfM.z()));
+    return std::make_unique<btBoxShape>(halfM);
 }
 
 } // namespace
