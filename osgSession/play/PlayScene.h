@@ -53,6 +53,10 @@ struct PlayScene
     const simulation::ScenarioObject& ownship() const { return player->scenario().entities[watched]; }
 };
 
+/// Steps a second where somebody may sit in an entity: the same at every rate of pictures, so that inputs
+/// repeat.
+inline constexpr int kSeatStepsPerSecond = 120;
+
 /// Draws with this quality from the next picture on. Terrain and roads keep their tolerance.
 void setQuality(PlayScene& play, Quality quality);
 

@@ -34,8 +34,6 @@ foundation::Result<ViewSetup> viewOf(const FrameRequest& frames, const simulatio
     return setup;
 }
 
-constexpr int kSeatStepsPerSecond = 120;
-
 /// The memory of this process that is in use, by Linux's /proc; 0 where that is not there.
 double residentMb()
 {

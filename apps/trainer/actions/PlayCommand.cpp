@@ -179,7 +179,6 @@ foundation::Outcome play(const PlayRequest& request)
 
 foundation::Outcome playSeatHeadless(const PlayRequest& asked, const HeadlessRequest& headless)
 {
-    constexpr int kStepsPerSecond = 120; // as with pictures
     auto parsed =
         simulation::readScenario(asked.scenario, {.tolerant = true, .parameters = asked.parameters});
     if (!parsed) return parsed.error();
@@ -193,7 +192,7 @@ foundation::Outcome playSeatHeadless(const PlayRequest& asked, const HeadlessReq
     if (const auto laid = tellRecordings(parsed->scenario, {asked.scenario, &frame}); !laid) return laid;
     addWeather(parsed->scenario, *request);
     auto options =
-        playerOptionsOf(parsed->scenario, *terrain, *request, simulation::FixedClock(kStepsPerSecond));
+        playerOptionsOf(parsed->scenario, *terrain, *request, simulation::FixedClock(kSeatStepsPerSecond));
     if (!options) return options.error();
     const auto seat = seatOf(*options);
     auto player = simulation::ScenarioPlayer::create(std::move(parsed->scenario), std::move(*options));

@@ -17,19 +17,17 @@ namespace trainer
 namespace
 {
 
-constexpr int kRideStepsPerSecond = 120;
-
 foundation::Outcome rideHeadless(const RideRequest& request, const SceneTerrain& terrain, Ride ride)
 {
     HeadlessRequest headless;
-    headless.stepS = 1.0 / kRideStepsPerSecond;
+    headless.stepS = 1.0 / kSeatStepsPerSecond;
     headless.durationS = request.durationS;
     headless.logFile = request.play.output.motionFile;
     headless.scenario = ride.name;
     simulation::PlayerOptions options;
     options.origin = terrain.origin();
     options.ground = terrain.ground();
-    options.clock = simulation::FixedClock(kRideStepsPerSecond);
+    options.clock = simulation::FixedClock(kSeatStepsPerSecond);
     options.motions[ride.entity] = ride.motion;
     options.roadsUnder = request.play.roadsUnder;
     auto player = simulation::ScenarioPlayer::create(std::move(ride.scenario), std::move(options));

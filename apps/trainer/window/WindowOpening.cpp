@@ -9,13 +9,6 @@
 namespace trainer
 {
 
-namespace
-{
-
-constexpr int kSeatStepsPerSecond = 120;
-
-} // namespace
-
 WindowSession::WindowSession(const PlayRequest& request, RideMaker* maker,
                              const std::filesystem::path& recordInputs)
     : _request(request),
