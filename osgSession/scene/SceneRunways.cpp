@@ -9,6 +9,7 @@
 
 #include <foundation/Angle.h>
 #include <foundation/KeptFrom.h>
+#include <foundation/NearestOnSegment.h>
 #include <foundation/PlainBytes.h>
 
 #include <osgTerrainROAM/core/features/FeatureImport.h>
@@ -55,10 +56,7 @@ std::optional<SceneTaxiway> taxiwayOf(const GroundFeature& feature)
 
 double metresFrom(const glm::dvec2& place, const glm::dvec2& from, const glm::dvec2& to)
 {
-    const glm::dvec2 way = to - from;
-    const double share =
-        std::clamp(glm::dot(place - from, way) / std::max(glm::dot(way, way), 1e-9), 0.0, 1.0);
-    return glm::distance(place, from + share * way);
+    return glm::distance(place, foundation::nearestOnSegment(place, from, to));
 }
 
 bool leadsTo(const SceneTaxiway& way, const std::vector<glm::dvec2>& line, double withinM)

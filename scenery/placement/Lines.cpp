@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/NearestOnSegment.h>
 #include <glm/glm.hpp>
 
 namespace scenery
@@ -14,10 +15,7 @@ namespace
 
 double distanceToPiece(glm::dvec2 place, glm::dvec2 from, glm::dvec2 to)
 {
-    const glm::dvec2 along = to - from;
-    const double length2 = glm::dot(along, along);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(place - from, along) / length2, 0.0, 1.0) : 0.0;
-    return glm::length(place - from - t * along);
+    return glm::length(place - from - foundation::nearestShare(place, from, to) * (to - from));
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <foundation/NearestOnSegment.h>
+
 #include "scenery/placement/Footing.h"
 #include "scenery/placement/TakenDiscs.h"
 
@@ -24,10 +26,9 @@ double toLine(glm::dvec2 place, const Corridor& corridor)
     for (std::size_t i = 0; i < corridor.line.size(); ++i)
     {
         const glm::dvec2 from = corridor.line[i],
-                         to = corridor.line[std::min(i + 1, corridor.line.size() - 1)], along = to - from;
-        const double length2 = glm::dot(along, along);
-        const double t = length2 > 0.0 ? std::clamp(glm::dot(place - from, along) / length2, 0.0, 1.0) : 0.0;
-        least = std::min(least, glm::length(place - from - t * along));
+                         to = corridor.line[std::min(i + 1, corridor.line.size() - 1)];
+        least = std::min(least,
+                         glm::length(place - from - foundation::nearestShare(place, from, to) * (to - from)));
     }
     return least - corridor.halfWidthM;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <foundation/Angle.h>
+#include <foundation/NearestOnSegment.h>
 #include <glm/geometric.hpp>
 
 #include "simulation/road/RoadWalk.h"
@@ -71,11 +72,8 @@ double betweenBoxes(const MeasuredBody& from, const MeasuredBody& to)
         for (const glm::dvec2& point : points)
             for (std::size_t i = 0; i < 4; ++i)
             {
-                const glm::dvec2 side = box[(i + 1) % 4] - box[i];
-                const double square = glm::dot(side, side);
-                const double share =
-                    square > 0.0 ? std::clamp(glm::dot(point - box[i], side) / square, 0.0, 1.0) : 0.0;
-                least = std::min(least, glm::distance(point, box[i] + side * share));
+                const glm::dvec2 nearest = foundation::nearestOnSegment(point, box[i], box[(i + 1) % 4]);
+                least = std::min(least, glm::distance(point, nearest));
             }
     };
     toSides(corners(from), corners(to));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include <foundation/NearestOnSegment.h>
+
 namespace simulation
 {
 namespace
@@ -160,9 +162,8 @@ std::optional<double> TrajectoryRun::wayTo(const glm::dvec3& place, double farth
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
     {
         const glm::dvec2 from(points[i].place), along = glm::dvec2(points[i + 1].place) - from;
-        const double squared = glm::dot(along, along);
         const double share =
-            squared > 0.0 ? std::clamp(glm::dot(glm::dvec2(place) - from, along) / squared, 0.0, 1.0) : 0.0;
+            foundation::nearestShare(glm::dvec2(place), from, glm::dvec2(points[i + 1].place));
         const double distance = glm::distance(glm::dvec2(place), from + along * share);
         if (distance >= nearest) continue;
         nearest = distance;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <foundation/NearestOnSegment.h>
 #include <glm/glm.hpp>
 
 #include "scenery/buildings/Outline.h"
@@ -56,13 +57,11 @@ public:
         double leastM = kCourseM;
         for (const auto& [a, b] : _pieces)
         {
-            const glm::dvec2 along = b - a;
-            const double share =
-                std::clamp(glm::dot(place - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-            const double awayM = glm::distance(place, a + share * along);
+            const glm::dvec2 along = b - a, nearest = foundation::nearestOnSegment(place, a, b);
+            const double awayM = glm::distance(place, nearest);
             if (awayM >= leastM) continue;
             leastM = awayM;
-            found = At{a + share * along, along / std::max(glm::length(along), 1e-6)};
+            found = At{nearest, along / std::max(glm::length(along), 1e-6)};
         }
         return found;
     }

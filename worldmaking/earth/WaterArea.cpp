@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <foundation/NearestOnSegment.h>
 #include <glm/glm.hpp>
 
 #include "scenery/buildings/Outline.h"
@@ -31,12 +32,8 @@ double shoreDistanceM(const PlanRings& area, const glm::dvec2& place)
     double least = 1e300;
     for (const auto& ring : area)
         for (std::size_t i = 0; i < ring.size(); ++i)
-        {
-            const glm::dvec2 along = ring[(i + 1) % ring.size()] - ring[i];
-            const double share = std::clamp(
-                glm::dot(place - ring[i], along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-            least = std::min(least, glm::distance(place, ring[i] + share * along));
-        }
+            least = std::min(least, glm::distance(place, foundation::nearestOnSegment(
+                                                             place, ring[i], ring[(i + 1) % ring.size()])));
     return least;
 }
 

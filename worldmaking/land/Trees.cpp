@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include <foundation/NearestOnSegment.h>
 #include <foundation/Random.h>
 
 #include "scenery/buildings/Outline.h"
@@ -30,10 +31,8 @@ double distanceM(const glm::dvec2& place, const std::vector<glm::dvec2>& ring)
     double least = 1e300;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-        const glm::dvec2 a = ring[i], along = ring[(i + 1) % ring.size()] - a;
-        const double share =
-            std::clamp(glm::dot(place - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-        least = std::min(least, glm::length(place - a - share * along));
+        const glm::dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+        least = std::min(least, glm::length(place - a - foundation::nearestShare(place, a, b) * (b - a)));
     }
     return least;
 }

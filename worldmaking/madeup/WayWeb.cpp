@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "worldmaking/madeup/WayWeb.h"
 
-#include <algorithm>
 #include <map>
 #include <utility>
+
+#include <foundation/NearestOnSegment.h>
 
 #include "worldmaking/streets/LaneLayout.h"
 #include "worldmaking/streets/StreetTraits.h"
@@ -32,9 +33,9 @@ std::optional<glm::dvec2> meetingOf(const glm::dvec2& a, const glm::dvec2& b, co
 {
     if (isSamePoint(a, c) || isSamePoint(a, d) || isSamePoint(b, c) || isSamePoint(b, d)) return std::nullopt;
     for (const glm::dvec2& end : {c, d})
-        if (glm::distance(nearestOn(a, b, end), end) < kTouchM) return end;
+        if (glm::distance(foundation::nearestOnSegment(end, a, b), end) < kTouchM) return end;
     for (const glm::dvec2& end : {a, b})
-        if (glm::distance(nearestOn(c, d, end), end) < kTouchM) return end;
+        if (glm::distance(foundation::nearestOnSegment(end, c, d), end) < kTouchM) return end;
     return crossingOf(a, b, c, d);
 }
 
@@ -44,13 +45,6 @@ double MadeWay::halfWidthM() const
 {
     const auto traits = traitsOf({{"highway", std::string(kind)}});
     return traits ? layoutOf(*traits).halfWidthM() : 2.0;
-}
-
-glm::dvec2 nearestOn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& place)
-{
-    const glm::dvec2 along = b - a;
-    const double square = glm::dot(along, along);
-    return square > 0.0 ? a + std::clamp(glm::dot(place - a, along) / square, 0.0, 1.0) * along : a;
 }
 
 std::optional<glm::dvec2> crossingOf(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,
@@ -85,7 +79,7 @@ std::optional<WayMatch> WayWeb::nearest(const glm::dvec2& place, double withinM,
                {
                    const Piece& piece = _pieces[i];
                    if (piece.way == except) return;
-                   const glm::dvec2 at = nearestOn(piece.a, piece.b, place);
+                   const glm::dvec2 at = foundation::nearestOnSegment(place, piece.a, piece.b);
                    const double distanceM = glm::distance(at, place);
                    if (distanceM >= leastM) return;
                    leastM = distanceM;
@@ -101,7 +95,8 @@ void WayWeb::insert(std::size_t way, const glm::dvec2& place)
     double leastM = 1e300;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
     {
-        const double distanceM = glm::distance(nearestOn(points[i], points[i + 1], place), place);
+        const double distanceM =
+            glm::distance(foundation::nearestOnSegment(place, points[i], points[i + 1]), place);
         if (distanceM < leastM) leastM = distanceM, best = i;
     }
     if (isSamePoint(points[best], place) || isSamePoint(points[best + 1], place)) return;

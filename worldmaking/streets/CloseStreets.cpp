@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include <foundation/NearestOnSegment.h>
 #include <glm/geometric.hpp>
 
 namespace worldmaking
@@ -113,8 +114,7 @@ private:
         const HeightRow& other = _nodes.rows[step.row];
         const glm::dvec2 from = other.points[step.node].position,
                          way = other.points[step.node + 1].position - from;
-        const double square = glm::dot(way, way);
-        const double share = square > 0.0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0.0;
+        const double share = foundation::nearestShare(place, from, other.points[step.node + 1].position);
         const double gapM = glm::distance(place, from + share * way) - halfM - _halfM[step.row];
         const double near = std::clamp(1.0 - gapM / kCloseM, 0.0, 1.0);
         return {0, other.first + step.node, other.first + step.node + 1, share,

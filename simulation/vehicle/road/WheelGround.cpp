@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/NearestOnSegment.h>
+
 #include "simulation/vehicle/road/Roughness.h"
 
 namespace simulation
@@ -73,7 +75,7 @@ WheelContact WheelGround::contactOf(const glm::dvec3& hub, double radiusM) const
     {
         const glm::dvec2 from(_along[i], _heightM[i]), to(_along[i + 1], _heightM[i + 1]);
         const glm::dvec2 piece = to - from;
-        const double share = std::clamp(glm::dot(middle - from, piece) / glm::dot(piece, piece), 0.0, 1.0);
+        const double share = foundation::nearestShare(middle, from, to);
         const glm::dvec2 nearest = from + share * piece, apart = middle - nearest;
         const glm::dvec2 upwards = glm::normalize(glm::dvec2(-piece.y, piece.x));
         const double distance = glm::length(apart);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "EdgeCrossing.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include <foundation/NearestOnSegment.h>
 
 namespace osgPMObjects::core
 {
@@ -33,8 +34,7 @@ InsertedPoint betweenCorners(std::span<const glm::dvec2> corners, const std::arr
     for (int edge = 0; edge < 2; ++edge)
     {
         const auto [begin, end] = edges[edge];
-        const glm::dvec2 &from = corners[begin], along = corners[end] - from;
-        const double share = std::clamp(glm::dot(position - from, along) / glm::dot(along, along), 0.0, 1.0);
+        const double share = foundation::nearestShare(position, corners[begin], corners[end]);
         inserted.corners[2 * edge] = begin;
         inserted.corners[2 * edge + 1] = end;
         inserted.weights[2 * edge] = 0.5 * (1.0 - share);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include <foundation/NearestOnSegment.h>
 #include <glm/geometric.hpp>
 
 #include <osgRoads/core/geometry/PlanElement.h>
@@ -131,10 +132,8 @@ double PlanElement::sagitta(double from, double to) const
         double farthest = 0.0;
         for (const glm::dvec2& control : inner)
         {
-            const glm::dvec2 chord = end - start, away = control - start;
-            const double square = std::max(glm::dot(chord, chord), 1e-300);
-            const double along = std::clamp(glm::dot(away, chord) / square, 0.0, 1.0);
-            farthest = std::max(farthest, glm::length(away - along * chord));
+            const double along = foundation::nearestShare(control, start, end);
+            farthest = std::max(farthest, glm::length(control - start - along * (end - start)));
         }
         return farthest;
     }

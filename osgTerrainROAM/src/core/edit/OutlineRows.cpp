@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/NearestOnSegment.h>
 #include <glm/glm.hpp>
 
 namespace osgTerrainROAM::core
@@ -59,10 +60,8 @@ double OutlineRows::distanceM(const glm::dvec2& place, double withinM) const
     for (int row = rowOf(place.y - withinM); row <= rowOf(place.y + withinM); ++row)
         for (const Edge& edge : _rows[static_cast<std::size_t>(row)])
         {
-            const glm::dvec2 along = edge.b - edge.a;
-            const double length2 = std::max(glm::dot(along, along), 1e-12);
-            const double share = std::clamp(glm::dot(place - edge.a, along) / length2, 0.0, 1.0);
-            least = std::min(least, glm::distance(place, edge.a + share * along));
+            least =
+                std::min(least, glm::distance(place, foundation::nearestOnSegment(place, edge.a, edge.b)));
         }
     return least;
 }

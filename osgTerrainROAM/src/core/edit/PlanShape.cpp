@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include <foundation/NearestOnSegment.h>
+
 #include <osgTerrainROAM/core/edit/PlanShape.h>
 
 namespace osgTerrainROAM::core
@@ -11,14 +13,6 @@ namespace osgTerrainROAM::core
 
 namespace
 {
-
-/// The parameter 0…1 along a–b of its point nearest to a position.
-double shareAlong(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& place)
-{
-    const glm::dvec2 ab = b - a;
-    const double length2 = glm::dot(ab, ab);
-    return length2 > 0.0 ? std::clamp(glm::dot(place - a, ab) / length2, 0.0, 1.0) : 0.0;
-}
 
 PlanBox boxAround(const glm::dvec2& a, const glm::dvec2& b)
 {
@@ -50,7 +44,8 @@ double Region::insideM(const glm::dvec2& place) const
     for (std::size_t i = 0, j = _corners.size() - 1; i < _corners.size(); j = i++)
     {
         const glm::dvec2 &a = _corners[j], &b = _corners[i];
-        distanceM = std::min(distanceM, glm::distance(place, glm::mix(a, b, shareAlong(a, b, place))));
+        distanceM =
+            std::min(distanceM, glm::distance(place, glm::mix(a, b, foundation::nearestShare(place, a, b))));
         const bool crosses =
             (a.y > place.y) != (b.y > place.y) && place.x < a.x + (b.x - a.x) * (place.y - a.y) / (b.y - a.y);
         isInside = isInside != crosses;
@@ -92,7 +87,7 @@ PlanLine::Foot PlanLine::footOf(const glm::dvec2& place) const
     std::size_t stretch = 0;
     for (std::size_t i = 1; i < _points.size(); ++i)
     {
-        const double share = shareAlong(_points[i - 1], _points[i], place);
+        const double share = foundation::nearestShare(place, _points[i - 1], _points[i]);
         const double distanceM = glm::distance(place, glm::mix(_points[i - 1], _points[i], share));
         if (distanceM >= nearest.distanceM) continue;
         nearest = {std::lerp(_alongM[i - 1], _alongM[i], share), distanceM};

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/NearestOnSegment.h>
+
 #include <osgTerrainROAM/core/features/FeatureCover.h>
 
 namespace osgTerrainROAM::core
@@ -33,9 +35,7 @@ Nearest nearestEdge(const Texel* edges, int count, const glm::vec2& at)
     {
         const glm::vec2 a(edges[i][0], edges[i][1]), b(edges[i][2], edges[i][3]);
         const glm::vec2 way = b - a;
-        const float share =
-            std::clamp(glm::dot(at - a, way) / std::max(glm::dot(way, way), 1e-12f), 0.0f, 1.0f);
-        const glm::vec2 away = at - a - share * way;
+        const glm::vec2 away = at - a - foundation::nearestShare(at, a, b) * way;
         nearest2 = std::min(nearest2, glm::dot(away, away));
         if ((a.y > at.y) != (b.y > at.y) && a.x + (at.y - a.y) / (b.y - a.y) * way.x > at.x) inside = !inside;
     }
@@ -68,9 +68,9 @@ void addArea(FeatureCover& cover, const Texel& head, const Nearest& edge, float 
 
 void addLine(FeatureCover& cover, const Texel& ends, const Texel& style, const glm::vec2& at, float filterM)
 {
-    const glm::vec2 a(ends[0], ends[1]), way(ends[2] - ends[0], ends[3] - ends[1]);
-    const float share = std::clamp(glm::dot(at - a, way) / glm::dot(way, way), 0.0f, 1.0f);
-    const float distance = glm::length(at - a - share * way);
+    const glm::vec2 a(ends[0], ends[1]), b(ends[2], ends[3]);
+    const float share = foundation::nearestShare(at, a, b);
+    const float distance = glm::length(at - a - share * (b - a));
     const float part = covered(distance, filterM, -style[0], style[0]);
     const int code = static_cast<int>(style[2]);
     const bool isRiver = (code & 3) == static_cast<int>(FeatureKind::river);

@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include <foundation/NearestOnSegment.h>
+
 #include <osgTerrainROAM/core/roam/NearestSurface.h>
 #include <osgTerrainROAM/core/roam/Outline.h>
 
@@ -18,10 +20,7 @@ using Corners = std::array<glm::dvec3, 3>;
 
 double distanceToSegment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b)
 {
-    const glm::dvec3 along = b - a;
-    const double length2 = glm::dot(along, along);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(point - a, along) / length2, 0.0, 1.0) : 0.0;
-    return glm::distance(point, a + t * along);
+    return glm::distance(point, foundation::nearestOnSegment(point, a, b));
 }
 
 /// The search and the best it has found.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include <foundation/NearestOnSegment.h>
 #include <glm/geometric.hpp>
 
 #include <osgPMObjects/core/simplify/RemoveVertices.h>
@@ -133,10 +134,7 @@ RemovalRefusal cutAlongSeams(const LiveFaces& live, double creaseCosine, VertexS
 
 double lineDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b)
 {
-    const glm::dvec3 along = b - a;
-    const double length = glm::dot(along, along);
-    const double t = length > 0.0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
-    return glm::length(p - a - t * along);
+    return glm::length(p - a - foundation::nearestShare(p, a, b) * (b - a));
 }
 
 RemovalRefusal measure(const LiveFaces& live, VertexStar& star)
