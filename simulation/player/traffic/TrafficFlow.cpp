@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "simulation/player/SpeedController.h"
+#include "simulation/player/controllers/SpeedController.h"
 #include "simulation/road/SpeedLimit.h"
 
 namespace simulation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/player/PedalDrive.h"
+#include "simulation/player/controllers/PedalDrive.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "simulation/player/SpeedController.h"
+#include "simulation/player/controllers/SpeedController.h"
 #include "simulation/scenario/OverrideAction.h"
 
 namespace simulation

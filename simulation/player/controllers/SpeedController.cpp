@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/player/SpeedController.h"
+#include "simulation/player/controllers/SpeedController.h"
 
 namespace simulation
 {

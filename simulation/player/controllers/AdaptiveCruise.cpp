@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "simulation/player/LeadVehicle.h"
-#include "simulation/player/SpeedController.h"
+#include "simulation/player/controllers/SpeedController.h"
 
 namespace simulation
 {

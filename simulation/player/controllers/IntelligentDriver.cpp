@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "simulation/player/LeadVehicle.h"
-#include "simulation/player/SpeedController.h"
 #include "simulation/player/StopAhead.h"
+#include "simulation/player/controllers/SpeedController.h"
 #include "simulation/road/StopSignals.h"
 
 namespace simulation
