@@ -8,25 +8,18 @@ namespace simulation
 {
 
 ExternalControl::ExternalControl(Place place, std::shared_ptr<MotionSource> source)
-    : _place(std::move(place)),
-      _source(std::move(source)),
-      _external(_place.scenario.entities.size()),
-      _waiting(_place.scenario.entities.size()),
-      _seats(_place.scenario.entities.size()),
-      _yielded(_place.scenario.entities.size()),
-      _askedMps(_place.scenario.entities.size(), 0.0),
-      _impactsTold(_place.scenario.entities.size(), 0)
+    : _place(std::move(place)), _source(std::move(source))
 {
 }
 
 void ExternalControl::attach(std::size_t entity, std::shared_ptr<ExternalMotion> motion)
 {
-    _waiting[entity] = {std::move(motion), std::nullopt, true, true};
+    at(entity).waiting = {std::move(motion), std::nullopt, true, true};
 }
 
 foundation::Outcome ExternalControl::begin(std::size_t entity, Attachment attachment, double timeS)
 {
-    EntityMotion& own = _place.motions[entity];
+    EntityMotion& own = at(entity).motion;
     const EnvironmentState environment = _place.environment();
     if (attachment.motion)
     {
@@ -41,14 +34,14 @@ foundation::Outcome ExternalControl::begin(std::size_t entity, Attachment attach
         attachment.motion = std::move(*made);
     }
     own.takeState(attachment.motion->state(), timeS);
-    _external[entity] = std::move(attachment);
+    at(entity).vehicle = std::move(attachment);
     return foundation::success();
 }
 
 void ExternalControl::wish(std::size_t entity, const Controller& controller, const Wish& wish, double timeS)
 {
-    if (isByPerson(entity)) return wishBehindPerson(entity, controller, wish);
-    Attachment& slot = _hasBegun ? _external[entity] : _waiting[entity];
+    if (at(entity).isByPerson()) return wishBehindPerson(entity, controller, wish);
+    Attachment& slot = _hasBegun ? at(entity).vehicle : at(entity).waiting;
     const bool isSame = slot.controller && slot.controller->name == controller.name &&
                         slot.controller->objectName == controller.objectName;
     const bool longitudinal = wish.longitudinal.value_or(isSame && slot.isLongitudinal);
@@ -85,36 +78,37 @@ void ExternalControl::wish(std::size_t entity, const Controller& controller, con
 
 void ExternalControl::release(std::size_t entity, double timeS)
 {
-    if (!has(entity)) return;
-    if (isByPerson(entity))
+    Actor& actor = at(entity);
+    if (!actor.isExternal()) return;
+    if (actor.isByPerson())
     {
-        _yielded[entity] = {};
+        actor.yielded = {};
         return;
     }
-    if (const std::string note = _external[entity].motion->note(); !note.empty())
+    if (const std::string note = actor.vehicle.motion->note(); !note.empty())
         _notes.push_back(_place.scenario.entities[entity].name + " " + note);
-    _external[entity] = {};
-    EntityMotion& own = _place.motions[entity];
-    own.setSpeed(own.state().speedMps, timeS);
+    actor.vehicle = {};
+    actor.motion.setSpeed(actor.motion.state().speedMps, timeS);
 }
 
 void ExternalControl::restart(std::size_t entity, double timeS)
 {
-    if (isByPerson(entity))
+    Actor& actor = at(entity);
+    if (actor.isByPerson())
     {
-        _seats[entity]->leave(timeS);
-        const Attachment yielded = _yielded[entity];
-        _external[entity] = {};
+        actor.seat->leave(timeS);
+        const Attachment yielded = actor.yielded;
+        actor.vehicle = {};
         if (const auto seated = sitDown(entity, timeS); !seated)
         {
-            _seats[entity]->refuse(seated.error());
+            actor.seat->refuse(seated.error());
             _notes.push_back(nameAt(entity, timeS) + seated.error().message() + "; the scenario has it");
         }
-        _yielded[entity] = yielded;
+        actor.yielded = yielded;
         return;
     }
-    if (!has(entity) || !_external[entity].controller) return;
-    const Attachment attachment = _external[entity];
+    if (!actor.isExternal() || !actor.vehicle.controller) return;
+    const Attachment attachment = actor.vehicle;
     release(entity, timeS);
     wish(entity, *attachment.controller, {attachment.isLongitudinal, attachment.isLateral}, timeS);
 }
@@ -122,17 +116,18 @@ void ExternalControl::restart(std::size_t entity, double timeS)
 foundation::Outcome ExternalControl::beginAll()
 {
     _hasBegun = true;
-    for (std::size_t i = 0; i < _waiting.size(); ++i)
+    for (std::size_t i = 0; i < _place.actors.size(); ++i)
     {
-        if (!_waiting[i].motion && (!_waiting[i].controller || !_source)) continue;
-        const bool isOfScenario = _waiting[i].controller.has_value();
-        const auto begun = begin(i, std::move(_waiting[i]), 0.0);
+        Attachment& waiting = at(i).waiting;
+        if (!waiting.motion && (!waiting.controller || !_source)) continue;
+        const bool isOfScenario = waiting.controller.has_value();
+        const auto begun = begin(i, std::move(waiting), 0.0);
         if (begun) continue;
         foundation::Error error = begun.error();
         if (isOfScenario) error.place = _place.scenario.entities[i].name + ", " + error.place;
         return error;
     }
-    for (std::size_t i = 0; i < _seats.size(); ++i)
+    for (std::size_t i = 0; i < _place.actors.size(); ++i)
     {
         if (!isAboutToSit(i, 0.0)) continue;
         if (const auto seated = sitDown(i, 0.0); !seated)
@@ -146,45 +141,38 @@ foundation::Outcome ExternalControl::beginAll()
 void ExternalControl::advanceTo(double timeS, const std::function<Traffic(std::size_t)>& traffic,
                                 const std::function<std::optional<glm::dvec3>(std::size_t)>& askedPlace)
 {
-    for (std::size_t i = 0; i < _external.size(); ++i)
+    for (std::size_t i = 0; i < _place.actors.size(); ++i)
     {
-        const Attachment& attachment = _external[i];
+        const Attachment& attachment = at(i).vehicle;
         if (!attachment.motion) continue;
-        if (!attachment.isLongitudinal) attachment.motion->askForSpeed(_place.motions[i].askedSpeedAt(timeS));
+        if (!attachment.isLongitudinal) attachment.motion->askForSpeed(at(i).motion.askedSpeedAt(timeS));
         if (!attachment.isLateral)
             if (const auto place = askedPlace(i)) attachment.motion->askForPlace(place);
         attachment.motion->advanceTo(timeS, traffic(i));
     }
-    for (std::size_t i = 0; i < _external.size(); ++i)
-        if (_external[i].motion) _place.motions[i].takeState(_external[i].motion->state(), timeS);
+    for (Actor& actor : _place.actors)
+        if (actor.isExternal()) actor.motion.takeState(actor.vehicle.motion->state(), timeS);
     tell();
-}
-
-bool ExternalControl::holds(std::size_t entity, ActionDomain domain) const
-{
-    const Attachment& attachment = _external[entity];
-    if (!attachment.motion) return false;
-    return domain == ActionDomain::longitudinal ? attachment.isLongitudinal : attachment.isLateral;
 }
 
 bool ExternalControl::areDone(double timeS) const
 {
-    const auto isWhole = [](const Attachment& attachment)
-    { return attachment.motion && !attachment.controller && !attachment.isByPerson; };
-    const auto isOver = [&](const std::shared_ptr<Seat>& seat) { return seat && seat->isDone(timeS); };
-    if (std::any_of(_seats.begin(), _seats.end(), isOver)) return true;
-    return std::any_of(_external.begin(), _external.end(), isWhole) &&
-           std::all_of(_external.begin(), _external.end(),
-                       [&](const Attachment& attachment)
-                       { return !isWhole(attachment) || attachment.motion->isDone(); });
+    const std::vector<Actor>& actors = _place.actors;
+    const auto isWhole = [](const Actor& actor)
+    { return actor.isExternal() && !actor.vehicle.controller && !actor.isByPerson(); };
+    const auto isOver = [&](const Actor& actor) { return actor.seat && actor.seat->isDone(timeS); };
+    if (std::any_of(actors.begin(), actors.end(), isOver)) return true;
+    return std::any_of(actors.begin(), actors.end(), isWhole) &&
+           std::all_of(actors.begin(), actors.end(),
+                       [&](const Actor& actor) { return !isWhole(actor) || actor.vehicle.motion->isDone(); });
 }
 
 std::vector<std::string> ExternalControl::notes() const
 {
     std::vector<std::string> notes = _notes;
-    for (std::size_t i = 0; i < _external.size(); ++i)
+    for (std::size_t i = 0; i < _place.actors.size(); ++i)
     {
-        const Attachment& attachment = _external[i];
+        const Attachment& attachment = at(i).vehicle;
         if (!attachment.motion || (!attachment.controller && !attachment.isByPerson)) continue;
         if (const std::string note = attachment.motion->note(); !note.empty())
             notes.push_back(_place.scenario.entities[i].name + " " + note);

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "simulation/player/Actor.h"
 #include "simulation/player/MotionSource.h"
-#include "simulation/player/Seat.h"
-#include "simulation/player/actions/RunningAction.h"
 #include "simulation/state/EntityTold.h"
 
 namespace simulation
@@ -27,14 +26,13 @@ public:
         std::optional<bool> longitudinal{}, lateral{};
     };
 
-    /// What the entities do by themselves; it must outlive this.
+    /// Whom it works on; it must outlive this.
     struct Place
     {
         const Scenario& scenario;
-        std::vector<EntityMotion>& motions;
+        std::vector<Actor>& actors; ///< of the scenario's entities, in their order
         std::function<EnvironmentState()> environment;
         std::function<WayAhead(const EntityMotion&)> wayOf;
-        std::function<bool(std::size_t)> isThere; ///< it may be added later, and deleted
     };
 
     /// `source` may be null: then controllers of that kind leave the entity to the scenario.
@@ -54,16 +52,11 @@ public:
 
     /// Lets persons take over and give back as their seats want, before the step that follows `timeS`.
     /// Returns whose entities have changed hands. What was given back, and is not moved by a controller then,
-    /// is left to the caller, at the speed of askedMps().
+    /// is left to the caller, at the speed of Actor::askedMps.
     std::vector<std::size_t> turn(double timeS);
 
     /// The entity is no longer there: nobody moves it.
     void vanish(std::size_t entity, double timeS);
-
-    bool isByPerson(std::size_t entity) const { return _external[entity].isByPerson; }
-
-    /// The speed that the scenario asked for last while a person had the entity, or before.
-    double askedMps(std::size_t entity) const { return _askedMps[entity]; }
 
     /// Which entities those of a person touched in the last step: pairs of indices.
     std::vector<std::pair<int, int>> touches() const;
@@ -91,14 +84,6 @@ public:
     void advanceTo(double timeS, const std::function<Traffic(std::size_t)>& traffic,
                    const std::function<std::optional<glm::dvec3>(std::size_t)>& askedPlace);
 
-    bool has(std::size_t entity) const { return _external[entity].motion != nullptr; }
-    bool holds(std::size_t entity, ActionDomain domain) const;
-    void askForSpeed(std::size_t entity, double speedMps)
-    {
-        _askedMps[entity] = speedMps;
-        _external[entity].motion->askForSpeed(speedMps);
-    }
-
     /// Whether some are attached for the whole play, and all of them are done; or the inputs of a person have
     /// ended.
     bool areDone(double timeS) const;
@@ -107,14 +92,8 @@ public:
     std::vector<std::string> notes() const;
 
 private:
-    struct Attachment
-    {
-        std::shared_ptr<ExternalMotion> motion; ///< null: the entity moves by its actions
-        std::optional<Controller> controller;   ///< absent: attached for the whole play
-        bool isLongitudinal = true, isLateral = true;
-        bool isByPerson = false;
-    };
-
+    Actor& at(std::size_t entity) { return _place.actors[entity]; }
+    const Actor& at(std::size_t entity) const { return _place.actors[entity]; }
     foundation::Outcome sitDown(std::size_t entity, double timeS);
     void standUp(std::size_t entity, double timeS);
     void wishBehindPerson(std::size_t entity, const Controller& controller, const Wish& wish);
@@ -124,13 +103,8 @@ private:
 
     Place _place;
     std::shared_ptr<MotionSource> _source;
-    std::vector<Attachment> _external, _waiting; ///< of each entity; the latter until beginAll()
     bool _hasBegun = false;
     std::vector<std::string> _notes;
-    std::vector<std::shared_ptr<Seat>> _seats; ///< of each entity; null: nobody may sit there
-    std::vector<Attachment> _yielded;          ///< to persons, of each entity, without motions
-    std::vector<double> _askedMps;             ///< of each entity
-    std::vector<std::size_t> _impactsTold;     ///< of each entity's motion
     std::vector<EntityTold> _told;
 };
 

@@ -39,47 +39,50 @@ std::string ExternalControl::nameAt(std::size_t entity, double timeS) const
 
 void ExternalControl::seat(std::size_t entity, std::shared_ptr<Seat> seat)
 {
-    _seats[entity] = std::move(seat);
-    _told.resize(_seats.size());
+    at(entity).seat = std::move(seat);
+    _told.resize(_place.actors.size());
 }
 
 bool ExternalControl::askSeat(std::size_t entity, bool isTaken)
 {
-    if (!_seats[entity]) return false;
-    _seats[entity]->ask(isTaken);
+    if (!at(entity).seat) return false;
+    at(entity).seat->ask(isTaken);
     return true;
 }
 
 bool ExternalControl::isAboutToSit(std::size_t entity, double timeS) const
 {
-    return _seats[entity] && !isByPerson(entity) && _place.isThere(entity) && _seats[entity]->isWanted(timeS);
+    const Actor& actor = at(entity);
+    return actor.seat && !actor.isByPerson() && !actor.isAbsent && actor.seat->isWanted(timeS);
 }
 
 foundation::Outcome ExternalControl::sitDown(std::size_t entity, double timeS)
 {
-    EntityMotion& own = _place.motions[entity];
+    Actor& actor = at(entity);
+    EntityMotion& own = actor.motion;
     const EnvironmentState environment = _place.environment();
-    auto made = _seats[entity]->take(_place.scenario.entities[entity],
-                                     {own.state(), own.isAirborne(), timeS, environment, {}});
+    auto made = actor.seat->take(_place.scenario.entities[entity],
+                                 {own.state(), own.isAirborne(), timeS, environment, {}});
     if (!made) return made.error();
-    Attachment& slot = _external[entity];
-    _yielded[entity] = slot.controller
-                           ? Attachment{nullptr, slot.controller, slot.isLongitudinal, slot.isLateral}
-                           : Attachment{};
-    _askedMps[entity] = own.askedSpeedAt(kLongS);
+    Attachment& slot = actor.vehicle;
+    actor.yielded = slot.controller
+                        ? Attachment{nullptr, slot.controller, slot.isLongitudinal, slot.isLateral}
+                        : Attachment{};
+    actor.askedMps = own.askedSpeedAt(kLongS);
     slot = {std::move(*made), std::nullopt, true, true, true};
-    _impactsTold[entity] = 0;
+    actor.impactsTold = 0;
     own.takeState(slot.motion->state(), timeS);
     return foundation::success();
 }
 
 void ExternalControl::standUp(std::size_t entity, double timeS)
 {
-    if (const std::string note = _external[entity].motion->note(); !note.empty())
+    Actor& actor = at(entity);
+    if (const std::string note = actor.vehicle.motion->note(); !note.empty())
         _notes.push_back(_place.scenario.entities[entity].name + " " + note);
-    _seats[entity]->leave(timeS);
-    _external[entity] = {};
-    const Attachment yielded = std::exchange(_yielded[entity], {});
+    actor.seat->leave(timeS);
+    actor.vehicle = {};
+    const Attachment yielded = std::exchange(actor.yielded, {});
     if (!yielded.controller) return;
     wish(entity, *yielded.controller, {yielded.isLongitudinal, yielded.isLateral}, timeS);
 }
@@ -87,17 +90,18 @@ void ExternalControl::standUp(std::size_t entity, double timeS)
 std::vector<std::size_t> ExternalControl::turn(double timeS)
 {
     std::vector<std::size_t> turned;
-    for (std::size_t i = 0; i < _seats.size(); ++i)
+    for (std::size_t i = 0; i < _place.actors.size(); ++i)
     {
-        if (isByPerson(i) ? _seats[i]->isWanted(timeS) : !isAboutToSit(i, timeS)) continue;
-        if (isByPerson(i))
+        const Actor& actor = at(i);
+        if (actor.isByPerson() ? actor.seat->isWanted(timeS) : !isAboutToSit(i, timeS)) continue;
+        if (actor.isByPerson())
         {
             standUp(i, timeS);
             _notes.push_back(nameAt(i, timeS) + "the person gives it back");
         }
         else if (const auto seated = sitDown(i, timeS); !seated)
         {
-            _seats[i]->refuse(seated.error());
+            actor.seat->refuse(seated.error());
             _notes.push_back(nameAt(i, timeS) + "nobody can take over: " + seated.error().message());
             continue;
         }
@@ -110,13 +114,13 @@ std::vector<std::size_t> ExternalControl::turn(double timeS)
 
 void ExternalControl::vanish(std::size_t entity, double timeS)
 {
-    if (isByPerson(entity))
+    if (Actor& actor = at(entity); actor.isByPerson())
     {
-        _seats[entity]->leave(timeS);
-        _seats[entity]->refuse(
+        actor.seat->leave(timeS);
+        actor.seat->refuse(
             {_place.scenario.entities[entity].name, "it is not there any more", "begin again"});
-        _external[entity] = {};
-        _yielded[entity] = {};
+        actor.vehicle = {};
+        actor.yielded = {};
     }
     release(entity, timeS);
 }
@@ -124,7 +128,7 @@ void ExternalControl::vanish(std::size_t entity, double timeS)
 /// A controller that is activated or deactivated while a person has its entity.
 void ExternalControl::wishBehindPerson(std::size_t entity, const Controller& controller, const Wish& wish)
 {
-    Attachment& slot = _yielded[entity];
+    Attachment& slot = at(entity).yielded;
     const bool isSame = slot.controller && slot.controller->name == controller.name &&
                         slot.controller->objectName == controller.objectName;
     const bool longitudinal = wish.longitudinal.value_or(isSame && slot.isLongitudinal);
@@ -135,9 +139,9 @@ void ExternalControl::wishBehindPerson(std::size_t entity, const Controller& con
 std::vector<std::pair<int, int>> ExternalControl::touches() const
 {
     std::vector<std::pair<int, int>> touches;
-    for (std::size_t i = 0; i < _external.size(); ++i)
-        if (isByPerson(i))
-            for (const int other : _external[i].motion->touched())
+    for (std::size_t i = 0; i < _place.actors.size(); ++i)
+        if (at(i).isByPerson())
+            for (const int other : at(i).vehicle.motion->touched())
                 touches.emplace_back(static_cast<int>(i), other);
     return touches;
 }
@@ -149,15 +153,16 @@ void ExternalControl::tell()
     {
         EntityTold& told = _told[i];
         told = {};
-        const Attachment& attachment = _external[i];
+        Actor& actor = at(i);
+        const Attachment& attachment = actor.vehicle;
         if (!attachment.motion) continue;
         if (attachment.controller) told.drivenBy = attachment.controller->kind();
         if (!attachment.isByPerson) continue;
         told.drivenBy = "person";
         const std::span<const Impact> impacts = attachment.motion->impacts();
-        for (; _impactsTold[i] < impacts.size(); ++_impactsTold[i])
+        for (; actor.impactsTold < impacts.size(); ++actor.impactsTold)
         {
-            const Impact& impact = impacts[_impactsTold[i]];
+            const Impact& impact = impacts[actor.impactsTold];
             _notes.push_back("impact: " + _place.scenario.entities[i].name + " " +
                              textOf(impact, attachment.motion->begunS()) + blowText(impact) +
                              (impact.hasGiven ? ", which gave way" : ""));

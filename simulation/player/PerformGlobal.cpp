@@ -42,13 +42,12 @@ void ScenePerformer::carryOut(const EntityAction& action)
 {
     const int entity = find(action.entity);
     if (entity < 0) return;
-    _isAbsent[static_cast<std::size_t>(entity)] = action.isDeleted;
+    actorOf(entity).isAbsent = action.isDeleted;
     if (action.isDeleted)
     {
         for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
             end(entity, domain);
-        if (_external.isByPerson(static_cast<std::size_t>(entity)))
-            _external.vanish(static_cast<std::size_t>(entity), timeS());
+        if (actorOf(entity).isByPerson()) _external.vanish(static_cast<std::size_t>(entity), timeS());
         motion(entity).setSpeed(0.0, timeS());
     }
     else if (const auto placed = action.position ? _positions.place(*action.position) : std::nullopt)

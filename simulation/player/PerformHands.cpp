@@ -12,47 +12,43 @@ namespace simulation
 
 void ScenePerformer::turn()
 {
-    for (auto given = _givenBack.begin(); given != _givenBack.end();)
+    for (std::size_t i = 0; i < _actors.size(); ++i)
     {
-        if (!_external.isAboutToSit(given->first, timeS()))
-        {
-            ++given;
-            continue;
-        }
-        _motions[given->first].takeState(_states[given->first], timeS()); // from where it is seen
-        given = _givenBack.erase(given);
+        if (!_actors[i].givenBack || !_external.isAboutToSit(i, timeS())) continue;
+        _actors[i].motion.takeState(_published[i], timeS()); // from where it is seen
+        _actors[i].givenBack.reset();
     }
     for (const std::size_t entity : _external.turn(timeS()))
     {
         for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
             end(static_cast<int>(entity), domain);
-        if (!_external.has(entity)) goOn(entity);
+        if (!_actors[entity].isExternal()) goOn(entity);
     }
 }
 
 /// The scenario goes on with what a person gave back.
 void ScenePerformer::goOn(std::size_t entity)
 {
-    EntityMotion& motion = _motions[entity];
-    const EntityState left = motion.state();
-    const double askedMps = _external.askedMps(entity);
-    motion.goOn(askedMps, timeS());
-    if (SpeedController* const driver = driverOf(entity)) driver->resume(left.speedMps);
-    const GivenBack given(left, motion.state(), timeS());
+    Actor& actor = _actors[entity];
+    const EntityState left = actor.motion.state();
+    actor.motion.goOn(actor.askedMps, timeS());
+    if (SpeedController* const driver = actor.driver()) driver->resume(left.speedMps);
+    const GivenBack given(left, actor.motion.state(), timeS());
     char text[160];
     std::snprintf(text, sizeof text,
                   " goes on from %.1f m/s, to %.1f m/s where nothing else says so, %.1f m aside, in %.1f s",
-                  left.speedMps, askedMps, given.asideM(), given.lastsS());
+                  left.speedMps, actor.askedMps, given.asideM(), given.lastsS());
     _external.note(left.name + text);
-    _givenBack.insert_or_assign(entity, given);
+    actor.givenBack = given;
 }
 
 void ScenePerformer::leadGivenBack()
 {
-    for (const auto& [entity, given] : _givenBack)
+    for (std::size_t i = 0; i < _actors.size(); ++i)
     {
-        EntityState& state = _states[entity];
-        given.lead(state, timeS());
+        if (!_actors[i].givenBack) continue;
+        EntityState& state = _published[i];
+        _actors[i].givenBack->lead(state, timeS());
         if (!_roads || !state.place) continue;
         if (const auto place = _roads->nearest(state.position, foundation::radiansOf(state.headingDeg)))
             state.place = place;

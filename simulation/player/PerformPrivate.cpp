@@ -129,7 +129,7 @@ ActionTicket ScenePerformer::carryOut(const ActivateControllerAction& action, in
 
 ActionTicket ScenePerformer::carryOut(const AssignControllerAction& action, int actor)
 {
-    _controllers[static_cast<std::size_t>(actor)].push_back(action.controller);
+    actorOf(actor).controllers.push_back(action.controller);
     activate(action.controller.name, {action.longitudinal, action.lateral}, actor);
     if (action.overrides) carryOut(*action.overrides, actor);
     return {};
@@ -137,13 +137,13 @@ ActionTicket ScenePerformer::carryOut(const AssignControllerAction& action, int 
 
 ActionTicket ScenePerformer::carryOut(const VisibilityAction& action, int actor)
 {
-    _isHidden[static_cast<std::size_t>(actor)] = !action.inPictures;
+    actorOf(actor).isHidden = !action.inPictures;
     return {};
 }
 
 ActionTicket ScenePerformer::carryOut(const LightStateAction& action, int actor)
 {
-    _lamps[static_cast<std::size_t>(actor)][action.light] = {action.mode, timeS(), action.onS, action.offS};
+    actorOf(actor).lamps[action.light] = {action.mode, timeS(), action.onS, action.offS};
     return {};
 }
 
@@ -164,14 +164,13 @@ ActionTicket ScenePerformer::carryOut(const AnimationAction& action, int actor)
 
 ActionTicket ScenePerformer::carryOut(const OverrideAction& action, int actor)
 {
-    const auto index = static_cast<std::size_t>(actor);
-    _controls[index].take(action);
-    const double speed = motion(actor).state().speedMps;
-    _pedals[index] =
-        _controls[index].isAny() ? std::make_unique<PedalDrive>(_controls[index], speed) : nullptr;
-    if (_pedals[index])
+    Actor& own = actorOf(actor);
+    own.controls.take(action);
+    const double speed = own.motion.state().speedMps;
+    own.pedals = own.controls.isAny() ? std::make_unique<PedalDrive>(own.controls, speed) : nullptr;
+    if (own.pedals)
         end(actor, ActionDomain::longitudinal);
-    else if (_active[index])
+    else if (own.speed)
         activate("", {true, std::nullopt}, actor); // it begins at the speed of now
     return {};
 }
@@ -186,15 +185,19 @@ ActionTicket ScenePerformer::carryOut(const RandomRouteAction&, int actor)
 /// Whether a controller has hold of what the action would change. It hears which speed is asked for.
 bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
 {
-    const auto index = static_cast<std::size_t>(actor);
-    if (_external.has(index) && movesSideways(action)) return _external.holds(index, ActionDomain::lateral);
-    const bool isExternal = _external.has(index) && _external.holds(index, ActionDomain::longitudinal);
-    SpeedController* const active = _external.has(index) ? nullptr : driverOf(index);
+    Actor& own = actorOf(actor);
+    if (own.isExternal() && movesSideways(action)) return own.isHeld(ActionDomain::lateral);
+    const bool isExternal = own.isHeld(ActionDomain::longitudinal);
+    SpeedController* const active = own.isExternal() ? nullptr : own.driver();
     if (!isExternal && !active) return false;
     if (const auto* content = std::get_if<SpeedAction>(&action))
     {
         const auto* const target = std::get_if<AbsoluteTargetSpeed>(&content->target);
-        if (target && isExternal) _external.askForSpeed(index, target->speedMps);
+        if (target && isExternal)
+        {
+            own.askedMps = target->speedMps;
+            own.vehicle.motion->askForSpeed(target->speedMps);
+        }
         if (target && active) active->askFor(target->speedMps);
         return true;
     }
@@ -206,7 +209,7 @@ bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
 /// Of several controllers the one of that name, else the one assigned last; null: there is none.
 const Controller* ScenePerformer::controllerOf(const std::string& controller, int actor) const
 {
-    const std::vector<Controller>& known = _controllers[static_cast<std::size_t>(actor)];
+    const std::vector<Controller>& known = _actors[static_cast<std::size_t>(actor)].controllers;
     if (known.empty()) return nullptr;
     const auto named = std::find_if(known.begin(), known.end(),
                                     [&](const Controller& one) {
@@ -220,22 +223,23 @@ const Controller* ScenePerformer::controllerOf(const std::string& controller, in
 void ScenePerformer::activate(const std::string& name, const ExternalControl::Wish& wish, int actor)
 {
     const auto index = static_cast<std::size_t>(actor);
+    Actor& own = actorOf(actor);
     const Controller* const controller = controllerOf(name, actor);
     if (controller && controller->isManual() && asksPerson(*controller, wish, actor)) return;
     if (controller && controller->hasPhysics())
     {
-        _active[index].reset();
+        own.speed.reset();
         _external.wish(index, *controller, wish, timeS());
         for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
-            if (_external.holds(index, domain)) end(actor, domain);
+            if (own.isHeld(domain)) end(actor, domain);
         return;
     }
     if (wish.longitudinal.value_or(false)) _external.release(index, timeS());
     if (!wish.longitudinal) return;
-    _active[index].reset();
+    own.speed.reset();
     if (!*wish.longitudinal || !controller) return;
-    _active[index] = makeSpeedController(*controller, motion(actor).state());
-    if (_active[index]) end(actor, ActionDomain::longitudinal);
+    own.speed = makeSpeedController(*controller, own.motion.state());
+    if (own.speed) end(actor, ActionDomain::longitudinal);
 }
 
 } // namespace simulation

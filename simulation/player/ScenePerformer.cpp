@@ -45,34 +45,28 @@ ScenePerformer::ScenePerformer(const Place& place)
       _roads(place.roads),
       _clock(&place.clock),
       _environment(&place.environment),
-      _external({place.scenario, _motions, [this] { return _environment->at(timeS()); },
-                 [](const EntityMotion& motion) { return motion.wayAhead(kWayM); },
-                 [this](std::size_t entity) { return !_isAbsent[entity]; }},
+      _external({place.scenario, _actors, [this] { return _environment->at(timeS()); },
+                 [](const EntityMotion& motion) { return motion.wayAhead(kWayM); }},
                 place.motionSource),
       _positions(place.frame, place.roads,
                  [this](const std::string& entity) -> const EntityState*
                  {
                      const int index = find(entity);
-                     return index < 0 ? nullptr : &_motions[static_cast<std::size_t>(index)].state();
+                     return index < 0 ? nullptr : &motion(index).state();
                  }),
       _signals(place.scenario.roadNetwork.signalControllers),
       _trailers(place.scenario),
-      _traffic(place.traffic, place.seed),
-      _isAbsent(absentAtFirst(place.scenario)),
-      _isHidden(place.scenario.entities.size(), false),
-      _active(place.scenario.entities.size()),
-      _controls(place.scenario.entities.size()),
-      _pedals(place.scenario.entities.size()),
-      _lamps(place.scenario.entities.size())
+      _traffic(place.traffic, place.seed)
 {
     const Scenario& scenario = place.scenario;
-    for (int i = 0; i < static_cast<int>(scenario.entities.size()); ++i)
-        if (isTraffic(i)) _isAbsent[static_cast<std::size_t>(i)] = true;
-    for (const ScenarioObject& object : scenario.entities)
+    const std::vector<bool> absent = absentAtFirst(scenario);
+    _actors.reserve(scenario.entities.size());
+    for (std::size_t i = 0; i < scenario.entities.size(); ++i)
     {
-        _motions.emplace_back(object, place.frame, place.roads);
+        const ScenarioObject& object = scenario.entities[i];
+        _actors.emplace_back(object, place.frame, place.roads);
+        _actors.back().isAbsent = absent[i] || isTraffic(static_cast<int>(i));
         _boxes.push_back(object.box());
-        _controllers.push_back(object.controllers);
     }
     for (const ParameterDeclaration& parameter : scenario.parameters)
         _values[parameter.name] = parameter.value;
@@ -90,7 +84,7 @@ void ScenePerformer::performInit()
     for (const InitPrivate& initial : _scenario->storyboard.init.privates)
         for (const PrivateAction& action : initial.actions)
             perform(action, initial.entity);
-    _trailers.align(_motions);
+    _trailers.align(_actors);
     _traffic.step(*this);
     publish();
 }
@@ -108,13 +102,14 @@ void ScenePerformer::carryOn()
 void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
-    for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (!_external.has(i) && !driverOf(i) && !_isAbsent[i])
-            _motions[i].advanceTo(timeS(), _clock->stepS());
+    for (Actor& actor : _actors)
+        if (!actor.isExternal() && !actor.driver() && !actor.isAbsent)
+            actor.motion.advanceTo(timeS(), _clock->stepS());
     moveControlled();
     moveExternal();
-    std::erase_if(_givenBack, [this](const auto& one) { return one.second.isOver(timeS()); });
-    _trailers.follow(_motions);
+    for (Actor& actor : _actors)
+        if (actor.givenBack && actor.givenBack->isOver(timeS())) actor.givenBack.reset();
+    _trailers.follow(_actors);
     _traffic.step(*this);
     publish();
 }
@@ -129,12 +124,12 @@ foundation::Outcome ScenePerformer::beginExternal()
 /// They see the others where they are now, as in esmini.
 void ScenePerformer::moveControlled()
 {
-    for (std::size_t i = 0; i < _motions.size(); ++i)
+    for (std::size_t i = 0; i < _actors.size(); ++i)
     {
-        SpeedController* const driver = driverOf(i);
-        if (_external.has(i) || !driver || _isAbsent[i]) continue;
-        _motions[i].setSpeed(driver->speedAfter(*this, static_cast<int>(i)), timeS());
-        _motions[i].advanceTo(timeS(), _clock->stepS());
+        Actor& actor = _actors[i];
+        if (actor.isExternal() || !actor.driver() || actor.isAbsent) continue;
+        actor.motion.setSpeed(actor.driver()->speedAfter(*this, static_cast<int>(i)), timeS());
+        actor.motion.advanceTo(timeS(), _clock->stepS());
     }
 }
 
@@ -145,7 +140,7 @@ void ScenePerformer::moveExternal()
     _external.advanceTo(
         timeS(),
         [&](std::size_t entity) {
-            return Traffic{_states, _boxes, static_cast<int>(entity), &_signals.states(), &environment};
+            return Traffic{_published, _boxes, static_cast<int>(entity), &_signals.states(), &environment};
         },
         [this](std::size_t entity) { return askedPlace(entity); });
 }
@@ -159,15 +154,9 @@ std::optional<glm::dvec3> ScenePerformer::askedPlace(std::size_t entity) const
                                          return running.action && running.actor == static_cast<int>(entity) &&
                                                 running.action->domain() == ActionDomain::lateral;
                                      });
-    const EntityState& state = _motions[entity].state();
+    const EntityState& state = _actors[entity].motion.state();
     if (!isMoved || !_roads || !state.place) return std::nullopt;
     return _roads->poseAt(*state.place).position;
-}
-
-/// Pedals come before a controller.
-SpeedController* ScenePerformer::driverOf(std::size_t entity) const
-{
-    return _pedals[entity] ? _pedals[entity].get() : _active[entity].get();
 }
 
 std::optional<RoadPlace> ScenePerformer::laneUnder(const EntityState& state) const
@@ -180,17 +169,19 @@ std::optional<RoadPlace> ScenePerformer::laneUnder(const EntityState& state) con
 
 void ScenePerformer::publish()
 {
-    const std::vector<EntityState> before = std::move(_states);
-    _states.clear();
-    for (const EntityMotion& motion : _motions)
-        _states.push_back(motion.state());
+    const std::vector<EntityState> before = std::move(_published);
+    _published.clear();
+    for (const Actor& actor : _actors)
+        _published.push_back(actor.motion.state());
     leadGivenBack();
-    for (std::size_t i = 0; i < _states.size(); ++i)
+    for (std::size_t i = 0; i < _published.size(); ++i)
     {
-        _states[i].isPresent = !_isAbsent[i];
-        _states[i].laneUnder = laneUnder(_states[i]);
-        _states[i].isVisible = !_isAbsent[i] && !_isHidden[i];
-        for (auto& [name, lamp] : _lamps[i])
+        Actor& actor = _actors[i];
+        EntityState& state = _published[i];
+        state.isPresent = !actor.isAbsent;
+        state.laneUnder = laneUnder(state);
+        state.isVisible = !actor.isAbsent && !actor.isHidden;
+        for (auto& [name, lamp] : actor.lamps)
         {
             const double period = lamp.onS + lamp.offS;
             const double since = timeS() - lamp.sinceS;
@@ -198,30 +189,28 @@ void ScenePerformer::publish()
                          (lamp.mode == LightMode::flashing &&
                           (period <= 0.0 || std::fmod(since + kInstantS, period) < lamp.onS));
         }
-        for (const auto& [name, lamp] : _lamps[i]) // over those of its own physics
-            _states[i].lamps[name] = lamp;
+        for (const auto& [name, lamp] : actor.lamps) // over those of its own physics
+            state.lamps[name] = lamp;
     }
-    for (std::size_t i = 0; i < _states.size() && i < before.size(); ++i)
-        _states[i].acceleration = (_states[i].velocity - before[i].velocity) / _clock->stepS();
+    for (std::size_t i = 0; i < _published.size() && i < before.size(); ++i)
+        _published[i].acceleration = (_published[i].velocity - before[i].velocity) / _clock->stepS();
     collide();
 }
 
 void ScenePerformer::collide()
 {
-    const auto body = [&](std::size_t index) {
-        return MeasuredBody{&_states[index], _scenario->entities[index].box()};
-    };
-    for (std::size_t i = 0; i < _states.size(); ++i)
-        for (std::size_t j = i + 1; !_isAbsent[i] && j < _states.size(); ++j)
-            if (!_isAbsent[j] && overlap(body(i), body(j)))
+    const auto body = [&](std::size_t index) { return MeasuredBody{&_published[index], _boxes[index]}; };
+    for (std::size_t i = 0; i < _published.size(); ++i)
+        for (std::size_t j = i + 1; !_actors[i].isAbsent && j < _published.size(); ++j)
+            if (!_actors[j].isAbsent && overlap(body(i), body(j)))
             {
-                _states[i].collidesWith.push_back(static_cast<int>(j));
-                _states[j].collidesWith.push_back(static_cast<int>(i));
+                _published[i].collidesWith.push_back(static_cast<int>(j));
+                _published[j].collidesWith.push_back(static_cast<int>(i));
             }
     // A body that was kept out of a box touches it all the same.
     const auto meet = [this](int one, int other)
     {
-        std::vector<int>& met = _states[static_cast<std::size_t>(one)].collidesWith;
+        std::vector<int>& met = _published[static_cast<std::size_t>(one)].collidesWith;
         const auto at = std::lower_bound(met.begin(), met.end(), other);
         if (at == met.end() || *at != other) met.insert(at, other);
     };
@@ -242,7 +231,7 @@ void ScenePerformer::end(int actor, ActionDomain domain)
 ActionTicket ScenePerformer::perform(const PrivateAction& action, const std::string& actorName)
 {
     const int actor = find(actorName);
-    if (actor < 0 || _isAbsent[static_cast<std::size_t>(actor)] || isHeld(action, actor)) return {};
+    if (actor < 0 || actorOf(actor).isAbsent || isHeld(action, actor)) return {};
     return std::visit([&](const auto& content) { return carryOut(content, actor); }, action);
 }
 
@@ -258,7 +247,7 @@ void ScenePerformer::appear(int vehicle, const RoadPlace& place, double speedMps
     motion(vehicle).setSpeed(speedMps, timeS());
     motion(vehicle).teleport({pose.position, pose.headingRad, 0.0, 0.0, true, place}, timeS());
     motion(vehicle).turnAtRandom(RandomDraw(_traffic.seed(), _scenario->entities[index].name, ++_drawn));
-    _isAbsent[index] = false;
+    actorOf(vehicle).isAbsent = false;
     activate("", {true, true}, vehicle);
 }
 
@@ -266,9 +255,9 @@ void ScenePerformer::vanish(int vehicle)
 {
     for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
         end(vehicle, domain);
-    _active[static_cast<std::size_t>(vehicle)].reset();
+    actorOf(vehicle).speed.reset();
     _external.vanish(static_cast<std::size_t>(vehicle), timeS());
-    _isAbsent[static_cast<std::size_t>(vehicle)] = true;
+    actorOf(vehicle).isAbsent = true;
     motion(vehicle).setSpeed(0.0, timeS());
 }
 
@@ -285,7 +274,7 @@ bool ScenePerformer::isDone(const ActionTicket& ticket) const
         return std::none_of(_running.begin(), _running.end(),
                             [&](const Running& running)
                             { return running.action && running.number == ticket.number; });
-    return _motions[static_cast<std::size_t>(ticket.entity)].isDone(ticket.number, timeS());
+    return _actors[static_cast<std::size_t>(ticket.entity)].motion.isDone(ticket.number, timeS());
 }
 
 void ScenePerformer::cancel(const ActionTicket& ticket)

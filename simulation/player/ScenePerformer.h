@@ -8,16 +8,12 @@
 #include <vector>
 
 #include "simulation/clock/FixedClock.h"
-#include "simulation/player/EntityMotion.h"
+#include "simulation/player/Actor.h"
 #include "simulation/player/ExternalControl.h"
-#include "simulation/player/GivenBack.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/player/SignalPlan.h"
 #include "simulation/player/StoryboardRunner.h"
 #include "simulation/player/Trailers.h"
-#include "simulation/player/actions/RunningAction.h"
-#include "simulation/player/controllers/PedalDrive.h"
-#include "simulation/player/controllers/SpeedController.h"
 #include "simulation/player/traffic/RoadTraffic.h"
 #include "simulation/state/EnvironmentState.h"
 
@@ -63,7 +59,7 @@ public:
     /// Moves the entities on to the time of the clock.
     void move();
 
-    const std::vector<EntityState>& states() const { return _states; }
+    const std::vector<EntityState>& states() const { return _published; }
     const std::map<std::string, std::string>& values() const { return _values; }
     const SignalPlan& signals() const { return _signals; }
     const std::map<std::string, bool>& monitors() const { return _monitors; }
@@ -80,9 +76,9 @@ public:
     const RoadScene* roads() const override { return _roads; }
     const PositionSolver& positions() const override { return _positions; }
     const Scenario& scenario() const override { return *_scenario; }
-    EntityMotion& motion(int entity) override { return _motions[static_cast<std::size_t>(entity)]; }
+    EntityMotion& motion(int entity) override { return actorOf(entity).motion; }
     double grip() const override { return std::min(_environment->roadFriction(), 1.0); }
-    bool isPresent(int entity) const override { return !_isAbsent[static_cast<std::size_t>(entity)]; }
+    bool isPresent(int entity) const override { return !_actors[static_cast<std::size_t>(entity)].isAbsent; }
     const std::map<std::string, std::string>& signalStates() const override { return _signals.states(); }
     int find(const std::string& entity) const override { return _scenario->entityIndex(entity); }
 
@@ -133,7 +129,7 @@ private:
     void carryOut(const TrafficAction& action) { _traffic.begin(action); }
     void carryOut(const Unsupported&) {}
 
-    SpeedController* driverOf(std::size_t entity) const;
+    Actor& actorOf(int entity) { return _actors[static_cast<std::size_t>(entity)]; }
     const Controller* controllerOf(const std::string& name, int actor) const;
     void activate(const std::string& controller, const ExternalControl::Wish& wish, int actor);
     bool isHeld(const PrivateAction& action, int actor);
@@ -152,10 +148,10 @@ private:
     const RoadScene* _roads;
     const FixedClock* _clock;
     EnvironmentClock* _environment;
-    std::vector<EntityMotion> _motions;
+    std::vector<Actor> _actors; ///< of the scenario's entities, in their order
     ExternalControl _external;
-    std::vector<BoundingBox> _boxes;
-    std::vector<EntityState> _states;
+    std::vector<EntityState> _published; ///< what all see of the actors until the end of the next step
+    std::vector<BoundingBox> _boxes;     ///< of the same
     PositionSolver _positions;
     std::vector<Running> _running;
     std::int64_t _lastNumber = 0;
@@ -166,14 +162,6 @@ private:
     RoadTraffic _traffic;
     std::optional<std::vector<LaneSite>> _laneSites; ///< made when traffic asks for them
     std::uint64_t _drawn = 0;                        ///< series of random numbers so far
-    std::vector<bool> _isAbsent;                     ///< not added yet, or deleted
-    std::vector<bool> _isHidden;
-    std::vector<std::vector<Controller>> _controllers;     ///< of each entity
-    std::vector<std::unique_ptr<SpeedController>> _active; ///< null: the actions set the speed
-    std::vector<Controls> _controls;                       ///< that actions have taken over
-    std::vector<std::unique_ptr<PedalDrive>> _pedals;      ///< null: none of them changes the speed
-    std::vector<std::map<std::string, LampState>> _lamps;  ///< that actions have switched
-    std::map<std::size_t, GivenBack> _givenBack;           ///< entities on their way back to the scenario's
 };
 
 } // namespace simulation

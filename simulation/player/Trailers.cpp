@@ -64,27 +64,28 @@ void Trailers::couple(int tow, int trailer)
                   {from, to, drawing->trailerHitchDxM.value_or(0.0), drawn->trailerCouplerDxM.value_or(0.0)});
 }
 
-void Trailers::align(std::vector<EntityMotion>& motions) const
+void Trailers::align(std::vector<Actor>& actors) const
 {
     for (const Link& link : _links)
     {
-        const EntityState& tow = motions[link.tow].state();
+        const EntityState& tow = actors[link.tow].motion.state();
         const double heading = glm::radians(tow.headingDeg);
         const glm::dvec3 ahead(std::cos(heading), std::sin(heading), 0.0);
-        motions[link.trailer].towTo(hitchOf(tow, link.hitchM) - ahead * link.couplerM, heading, tow.speedMps);
+        actors[link.trailer].motion.towTo(hitchOf(tow, link.hitchM) - ahead * link.couplerM, heading,
+                                          tow.speedMps);
     }
 }
 
-void Trailers::follow(std::vector<EntityMotion>& motions) const
+void Trailers::follow(std::vector<Actor>& actors) const
 {
     for (const Link& link : _links)
     {
-        const EntityState& tow = motions[link.tow].state();
+        const EntityState& tow = actors[link.tow].motion.state();
         const glm::dvec3 hitch = hitchOf(tow, link.hitchM);
-        const glm::dvec3 axle = motions[link.trailer].state().position;
+        const glm::dvec3 axle = actors[link.trailer].motion.state().position;
         const double heading = std::atan2(hitch.y - axle.y, hitch.x - axle.x);
         const glm::dvec3 ahead(std::cos(heading), std::sin(heading), 0.0);
-        motions[link.trailer].towTo(hitch - ahead * link.couplerM, heading, tow.speedMps);
+        actors[link.trailer].motion.towTo(hitch - ahead * link.couplerM, heading, tow.speedMps);
     }
 }
 

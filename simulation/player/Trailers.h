@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "simulation/player/EntityMotion.h"
+#include "simulation/player/Actor.h"
 #include "simulation/scenario/Scenario.h"
 
 namespace simulation
@@ -18,10 +18,10 @@ public:
     explicit Trailers(const Scenario& scenario);
 
     /// Puts the trailers straight behind their vehicles.
-    void align(std::vector<EntityMotion>& motions) const;
+    void align(std::vector<Actor>& actors) const;
 
     /// Draws them on, after the vehicles have moved.
-    void follow(std::vector<EntityMotion>& motions) const;
+    void follow(std::vector<Actor>& actors) const;
 
     /// Couples a trailer to what draws it from now on, or (`trailer` below 0) leaves the one that is drawn.
     void couple(int tow, int trailer);
