@@ -26,6 +26,12 @@ struct Attachment
     std::optional<Controller> controller;   ///< absent: attached for the whole play
     bool isLongitudinal = true, isLateral = true;
     bool isByPerson = false;
+
+    /// Whether it has hold of a domain of the motion.
+    bool holds(ActionDomain domain) const
+    {
+        return motion && (domain == ActionDomain::longitudinal ? isLongitudinal : isLateral);
+    }
 };
 
 /// An entity while its scenario is played: where it is, and what moves it. One of these moves it, the first
@@ -42,15 +48,15 @@ struct Actor
     bool isExternal() const { return vehicle.motion != nullptr; }
     bool isByPerson() const { return vehicle.isByPerson; }
 
-    /// Whether a vehicle with physics has hold of a domain.
-    bool isHeld(ActionDomain domain) const
+    /// What moves it in place of its actions; null: nothing does.
+    EntityController* mover() const
     {
-        if (!isExternal()) return false;
-        return domain == ActionDomain::longitudinal ? vehicle.isLongitudinal : vehicle.isLateral;
+        if (isExternal()) return vehicle.motion.get();
+        return pedals ? pedals.get() : speed.get();
     }
 
-    /// What sets its speed in place of actions: pedals come before a controller; null: nothing does.
-    SpeedController* driver() const { return pedals ? pedals.get() : speed.get(); }
+    /// Whether what moves it has hold of its speed, so that actions have not.
+    bool isSpeedHeld() const { return isExternal() ? vehicle.isLongitudinal : mover() != nullptr; }
 
     EntityMotion motion; ///< its state, whatever moves it, and how actions move it
 
@@ -58,10 +64,10 @@ struct Actor
     bool isHidden = false;                  ///< not in pictures
     std::map<std::string, LampState> lamps; ///< that actions have switched
 
-    std::vector<Controller> controllers;    ///< that it has been assigned, the last one last
-    std::unique_ptr<SpeedController> speed; ///< the active one; null: actions set the speed
-    Controls controls;                      ///< that actions have taken over
-    std::unique_ptr<PedalDrive> pedals;     ///< null: none of them changes the speed
+    std::vector<Controller> controllers;      ///< that it has been assigned, the last one last
+    std::unique_ptr<EntityController> speed;  ///< the active one; null: actions set the speed
+    Controls controls;                        ///< that actions have taken over
+    std::unique_ptr<EntityController> pedals; ///< null: none of them changes the speed
 
     Attachment vehicle;                 ///< that moves it
     Attachment waiting;                 ///< for the begin of the play

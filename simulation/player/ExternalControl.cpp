@@ -138,23 +138,6 @@ foundation::Outcome ExternalControl::beginAll()
     return foundation::success();
 }
 
-void ExternalControl::advanceTo(double timeS, const std::function<Traffic(std::size_t)>& traffic,
-                                const std::function<std::optional<glm::dvec3>(std::size_t)>& askedPlace)
-{
-    for (std::size_t i = 0; i < _place.actors.size(); ++i)
-    {
-        const Attachment& attachment = at(i).vehicle;
-        if (!attachment.motion) continue;
-        if (!attachment.isLongitudinal) attachment.motion->askForSpeed(at(i).motion.askedSpeedAt(timeS));
-        if (!attachment.isLateral)
-            if (const auto place = askedPlace(i)) attachment.motion->askForPlace(place);
-        attachment.motion->advanceTo(timeS, traffic(i));
-    }
-    for (Actor& actor : _place.actors)
-        if (actor.isExternal()) actor.motion.takeState(actor.vehicle.motion->state(), timeS);
-    tell();
-}
-
 bool ExternalControl::areDone(double timeS) const
 {
     const std::vector<Actor>& actors = _place.actors;

@@ -79,10 +79,8 @@ public:
     /// After Init. Errors: one cannot begin.
     foundation::Outcome beginAll();
 
-    /// Moves all on to a time. `traffic`: as an entity sees the others, all as they were before.
-    /// `askedPlace`: where a lateral action of the scenario wants an entity; nothing: none runs.
-    void advanceTo(double timeS, const std::function<Traffic(std::size_t)>& traffic,
-                   const std::function<std::optional<glm::dvec3>(std::size_t)>& askedPlace);
+    /// Tells who has each entity, and what was hit since the step before; after all have moved.
+    void tell();
 
     /// Whether some are attached for the whole play, and all of them are done; or the inputs of a person have
     /// ended.
@@ -97,7 +95,6 @@ private:
     foundation::Outcome sitDown(std::size_t entity, double timeS);
     void standUp(std::size_t entity, double timeS);
     void wishBehindPerson(std::size_t entity, const Controller& controller, const Wish& wish);
-    void tell();
     std::string nameAt(std::size_t entity, double timeS) const;
     foundation::Outcome begin(std::size_t entity, Attachment attachment, double timeS);
 

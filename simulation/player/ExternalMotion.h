@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 
@@ -9,17 +8,15 @@
 
 #include "simulation/contact/Impact.h"
 #include "simulation/player/Traffic.h"
+#include "simulation/player/controllers/EntityController.h"
 
 namespace simulation
 {
 
-/// Moves one entity of a scenario by something else than its actions: a vehicle with physics and whoever
-/// controls it.
-class ExternalMotion
+/// Moves one entity of a scenario by a vehicle with physics and whoever controls it.
+class ExternalMotion : public EntityController
 {
 public:
-    virtual ~ExternalMotion() = default;
-
     /// Begins where the Init actions put the entity: an airborne one with a speed flies, any other stands on
     /// the ground or rolls.
     /// Errors: it cannot begin there.
@@ -30,11 +27,8 @@ public:
     /// Moves on to a later time. `traffic`: the scene before.
     virtual void advanceTo(double timeS, const Traffic& traffic) = 0;
 
-    /// Hears which speed the scenario asks for. Units: m/s.
-    virtual void askForSpeed(double /*speedMps*/) {}
-
-    /// Hears beside which place of its way the scenario wants it to be; nothing: on its own way again.
-    virtual void askForPlace(const std::optional<glm::dvec3>& /*place*/) {}
+    /// By advanceTo(); the entity takes the state over.
+    void move(ActionScene& scene, int actor) final;
 
     /// At the time of the last advanceTo(). The name is left empty.
     virtual const EntityState& state() const = 0;

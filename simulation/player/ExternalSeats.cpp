@@ -146,7 +146,6 @@ std::vector<std::pair<int, int>> ExternalControl::touches() const
     return touches;
 }
 
-/// Who has each entity, and what was hit since the step before.
 void ExternalControl::tell()
 {
     for (std::size_t i = 0; i < _told.size(); ++i)

@@ -32,7 +32,7 @@ void ScenePerformer::goOn(std::size_t entity)
     Actor& actor = _actors[entity];
     const EntityState left = actor.motion.state();
     actor.motion.goOn(actor.askedMps, timeS());
-    if (SpeedController* const driver = actor.driver()) driver->resume(left.speedMps);
+    if (EntityController* const mover = actor.mover()) mover->resume(left.speedMps);
     const GivenBack given(left, actor.motion.state(), timeS());
     char text[160];
     std::snprintf(text, sizeof text,

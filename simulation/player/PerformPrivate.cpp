@@ -186,19 +186,16 @@ ActionTicket ScenePerformer::carryOut(const RandomRouteAction&, int actor)
 bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
 {
     Actor& own = actorOf(actor);
-    if (own.isExternal() && movesSideways(action)) return own.isHeld(ActionDomain::lateral);
-    const bool isExternal = own.isHeld(ActionDomain::longitudinal);
-    SpeedController* const active = own.isExternal() ? nullptr : own.driver();
-    if (!isExternal && !active) return false;
+    if (own.isExternal() && movesSideways(action)) return own.vehicle.isLateral;
+    if (!own.isSpeedHeld()) return false;
     if (const auto* content = std::get_if<SpeedAction>(&action))
     {
         const auto* const target = std::get_if<AbsoluteTargetSpeed>(&content->target);
-        if (target && isExternal)
+        if (target)
         {
             own.askedMps = target->speedMps;
-            own.vehicle.motion->askForSpeed(target->speedMps);
+            own.mover()->askForSpeed(target->speedMps);
         }
-        if (target && active) active->askFor(target->speedMps);
         return true;
     }
     return std::holds_alternative<LongitudinalDistanceAction>(action) ||
@@ -231,7 +228,7 @@ void ScenePerformer::activate(const std::string& name, const ExternalControl::Wi
         own.speed.reset();
         _external.wish(index, *controller, wish, timeS());
         for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
-            if (own.isHeld(domain)) end(actor, domain);
+            if (own.vehicle.holds(domain)) end(actor, domain);
         return;
     }
     if (wish.longitudinal.value_or(false)) _external.release(index, timeS());

@@ -103,8 +103,7 @@ void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
     for (Actor& actor : _actors)
-        if (!actor.isExternal() && !actor.driver() && !actor.isAbsent)
-            actor.motion.advanceTo(timeS(), _clock->stepS());
+        if (!actor.mover() && !actor.isAbsent) actor.motion.advanceTo(timeS(), _clock->stepS());
     moveControlled();
     moveExternal();
     for (Actor& actor : _actors)
@@ -126,23 +125,32 @@ void ScenePerformer::moveControlled()
 {
     for (std::size_t i = 0; i < _actors.size(); ++i)
     {
-        Actor& actor = _actors[i];
-        if (actor.isExternal() || !actor.driver() || actor.isAbsent) continue;
-        actor.motion.setSpeed(actor.driver()->speedAfter(*this, static_cast<int>(i)), timeS());
-        actor.motion.advanceTo(timeS(), _clock->stepS());
+        const Actor& actor = _actors[i];
+        if (!actor.isExternal() && actor.mover() && !actor.isAbsent)
+            actor.mover()->move(*this, static_cast<int>(i));
     }
 }
 
 /// All see the others as they were before.
 void ScenePerformer::moveExternal()
 {
-    const EnvironmentState environment = _environment->at(timeS());
-    _external.advanceTo(
-        timeS(),
-        [&](std::size_t entity) {
-            return Traffic{_published, _boxes, static_cast<int>(entity), &_signals.states(), &environment};
-        },
-        [this](std::size_t entity) { return askedPlace(entity); });
+    _environmentNow = _environment->at(timeS());
+    for (std::size_t i = 0; i < _actors.size(); ++i)
+    {
+        if (!_actors[i].isExternal()) continue;
+        askExternal(i);
+        _actors[i].mover()->move(*this, static_cast<int>(i));
+    }
+    _external.tell();
+}
+
+/// What the scenario wants in the domain that is not the vehicle's own.
+void ScenePerformer::askExternal(std::size_t entity)
+{
+    const Actor& actor = _actors[entity];
+    if (!actor.vehicle.isLongitudinal) actor.mover()->askForSpeed(actor.motion.askedSpeedAt(timeS()));
+    if (actor.vehicle.isLateral) return;
+    if (const auto place = askedPlace(entity)) actor.mover()->askForPlace(place);
 }
 
 /// Where a lateral action that runs has put the entity.

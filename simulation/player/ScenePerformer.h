@@ -80,6 +80,10 @@ public:
     double grip() const override { return std::min(_environment->roadFriction(), 1.0); }
     bool isPresent(int entity) const override { return !_actors[static_cast<std::size_t>(entity)].isAbsent; }
     const std::map<std::string, std::string>& signalStates() const override { return _signals.states(); }
+    Traffic trafficOf(int entity) const override
+    {
+        return {_published, _boxes, entity, &_signals.states(), &_environmentNow};
+    }
     int find(const std::string& entity) const override { return _scenario->entityIndex(entity); }
 
     // TrafficScene
@@ -138,6 +142,7 @@ private:
     std::optional<RoadPlace> laneUnder(const EntityState& state) const;
     void publish();
     void moveExternal();
+    void askExternal(std::size_t entity);
     std::optional<glm::dvec3> askedPlace(std::size_t entity) const;
     void goOn(std::size_t entity);
     void leadGivenBack();
@@ -148,7 +153,8 @@ private:
     const RoadScene* _roads;
     const FixedClock* _clock;
     EnvironmentClock* _environment;
-    std::vector<Actor> _actors; ///< of the scenario's entities, in their order
+    EnvironmentState _environmentNow; ///< when vehicles with physics moved last
+    std::vector<Actor> _actors;       ///< of the scenario's entities, in their order
     ExternalControl _external;
     std::vector<EntityState> _published; ///< what all see of the actors until the end of the next step
     std::vector<BoundingBox> _boxes;     ///< of the same

@@ -10,6 +10,7 @@
 
 #include "simulation/player/EntityMotion.h"
 #include "simulation/player/PositionSolver.h"
+#include "simulation/player/Traffic.h"
 #include "simulation/scenario/Action.h"
 #include "simulation/scenario/Scenario.h"
 
@@ -37,6 +38,9 @@ public:
 
     /// The states of traffic signals, by id.
     virtual const std::map<std::string, std::string>& signalStates() const = 0;
+
+    /// The others as an entity with physics sees them: all as they were before the step.
+    virtual Traffic trafficOf(int entity) const = 0;
 
     /// Returns the index of an entity, or -1.
     virtual int find(const std::string& entity) const = 0;

@@ -47,7 +47,7 @@ public:
 
     void resume(double speedMps) override { _speedMps = speedMps; }
 
-    void askFor(double speedMps) override
+    void askForSpeed(double speedMps) override
     {
         if (_hearsActions) _setSpeedMps = speedMps;
     }

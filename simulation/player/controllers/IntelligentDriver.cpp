@@ -52,7 +52,7 @@ public:
         return _speedMps;
     }
 
-    void askFor(double speedMps) override { _desiredMps = speedMps; }
+    void askForSpeed(double speedMps) override { _desiredMps = speedMps; }
     void resume(double speedMps) override { _speedMps = speedMps; }
 
 private:

@@ -34,7 +34,6 @@ public:
     PedalDrive(const Controls& controls, double speedMps) : _controls(controls), _speedMps(speedMps) {}
 
     double speedAfter(ActionScene& scene, int actor) override;
-    void askFor(double) override {}
     void resume(double speedMps) override { _speedMps = speedMps; }
 
 private:

@@ -11,10 +11,16 @@ class NobodyDrives final : public SpeedController
 {
 public:
     double speedAfter(ActionScene&, int) override { return 0.0; }
-    void askFor(double) override {}
 };
 
 } // namespace
+
+void SpeedController::move(ActionScene& scene, int actor)
+{
+    EntityMotion& own = scene.motion(actor);
+    own.setSpeed(speedAfter(scene, actor), scene.timeS());
+    own.advanceTo(scene.timeS(), scene.stepS());
+}
 
 std::unique_ptr<SpeedController> makeSpeedController(const Controller& controller, const EntityState& state)
 {

@@ -4,24 +4,20 @@
 #include <memory>
 
 #include "simulation/player/actions/RunningAction.h"
+#include "simulation/player/controllers/EntityController.h"
 
 namespace simulation
 {
 
-/// Drives an entity in place of the actions on its speed, once it is activated.
-class SpeedController
+/// Sets the speed of an entity in place of the actions on it, once it is activated; where the entity goes,
+/// its actions say.
+class SpeedController : public EntityController
 {
 public:
-    virtual ~SpeedController() = default;
-
-    /// Returns the speed after the step. Entities without a controller have moved already.
+    /// Returns the speed after the step. It sees the others where they are now.
     virtual double speedAfter(ActionScene& scene, int actor) = 0;
 
-    /// Goes on from this speed, after somebody else had the entity.
-    virtual void resume(double /*speedMps*/) {}
-
-    /// Hears the speed that an action asks for.
-    virtual void askFor(double speedMps) = 0;
+    void move(ActionScene& scene, int actor) final;
 };
 
 /// Makes what plays a controller; null: it is the default one, or is not played.
