@@ -9,6 +9,7 @@
 #include "simulation/parser/ElementReader.h"
 #include "simulation/parser/Expression.h"
 #include "simulation/parser/Keywords.h"
+#include "simulation/scenario/ControllerKinds.h"
 
 namespace simulation
 {
@@ -106,7 +107,8 @@ void ParseContext::controllerNotPlayed(pugi::xml_node node, const std::string& k
     if (!options.tolerant) return;
     add({Problem::Kind::approximated,
          {place(node), "the controller " + kind + " is not played",
-          "instead: the actions of the scenario move the entity"}});
+          "instead: the actions of the scenario move the entity; controllers that are played: " +
+              controllerNames()}});
 }
 
 void ParseContext::assumed(pugi::xml_node node, const std::string& what, const std::string& instead)

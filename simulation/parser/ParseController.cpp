@@ -15,7 +15,7 @@ Controller parseController(ElementReader reader)
     const ParameterScope scope(reader.context, reader.node);
     reader.textOr("controllerType", "");
     Controller controller{reader.context.line(reader.node), reader.name(), parseProperties(reader)};
-    if (!controller.isPlayed()) reader.context.controllerNotPlayed(reader.node, controller.kind());
+    if (!controller.played()) reader.context.controllerNotPlayed(reader.node, controller.kind());
     return controller;
 }
 

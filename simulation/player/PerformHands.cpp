@@ -6,6 +6,7 @@
 #include <foundation/Angle.h>
 
 #include "simulation/player/ScenePerformer.h"
+#include "simulation/scenario/ControllerKinds.h"
 
 namespace simulation
 {
@@ -62,14 +63,15 @@ bool ScenePerformer::asksPerson(const Controller& controller, const ExternalCont
     const bool isTaken = wish.longitudinal.value_or(false) || wish.lateral.value_or(false);
     if (!isTaken && !wish.longitudinal && !wish.lateral) return true;
     if (_external.askSeat(static_cast<std::size_t>(actor), isTaken)) return true;
+    const bool standsStill = controller.played()->standsWithoutPerson;
     const std::string& name = _scenario->entities[static_cast<std::size_t>(actor)].name;
     char time[40];
     std::snprintf(time, sizeof time, " at %.2f s: ", timeS());
     if (isTaken)
         _external.note(name + ", controller " + controller.name + time + "nobody sits there, so " +
-                       (controller.isInteractive() ? "it stands still" : "the scenario moves it") +
+                       (standsStill ? "it stands still" : "the scenario moves it") +
                        "; --window lets a person drive, --inputs FILE plays what one did");
-    return !controller.isInteractive();
+    return !standsStill;
 }
 
 } // namespace simulation

@@ -4,6 +4,8 @@
 
 #include "simulation/player/ScenePerformer.h"
 #include "simulation/player/ShapeSampling.h"
+#include "simulation/player/controllers/PedalDrive.h"
+#include "simulation/player/controllers/SpeedControllers.h"
 #include "simulation/road/RouteWay.h"
 
 namespace simulation
@@ -235,7 +237,7 @@ void ScenePerformer::activate(const std::string& name, const ExternalControl::Wi
     if (!wish.longitudinal) return;
     own.speed.reset();
     if (!*wish.longitudinal || !controller) return;
-    own.speed = makeSpeedController(*controller, own.motion.state());
+    own.speed = makeSpeedController(*controller, own.motion.state().speedMps);
     if (own.speed) end(actor, ActionDomain::longitudinal);
 }
 

@@ -101,6 +101,8 @@ struct MiscObject
     bool operator==(const MiscObject&) const = default;
 };
 
+struct ControllerKind;
+
 /// What drives an entity in place of the scenario, once it is activated.
 struct Controller
 {
@@ -120,30 +122,14 @@ struct Controller
         return properties.find("esminiController").value_or(name);
     }
 
-    // Those that move a vehicle with physics.
-    bool isAutopilot() const { return kind() == "Autopilot"; }
-    bool isDriver() const { return kind() == "Driver"; }
-    bool isRecordedInputs() const { return kind() == "RecordedInputs"; }
-    bool hasPhysics() const { return isAutopilot() || isDriver() || isRecordedInputs(); }
+    /// By which it is played; null: by nothing, and the actions of the scenario move the entity.
+    const ControllerKind* played() const;
 
-    bool isInteractive() const { return kind() == "InteractiveController"; }
+    /// Whether it moves a vehicle with physics.
+    bool hasPhysics() const;
 
-    /// Gives the entity to a person who sits in it: esmini's InteractiveController and ExternalController,
-    /// by the names of its catalogue too, or Manual.
-    bool isManual() const
-    {
-        const std::string own = kind();
-        return isInteractive() || own == "interactiveDriver" || own == "InteractiveDriver" ||
-               own == "ExternalController" || own == "externalController" || own == "Manual" ||
-               own == "ManualController";
-    }
-    bool isAdaptiveCruise() const { return kind() == "ACCController"; }
-    bool isIntelligentDriver() const { return kind() == "IntelligentDriver" || kind() == "NaturalDriver"; }
-    bool isDefault() const { return kind().empty() || kind() == "DefaultController"; }
-    bool isPlayed() const
-    {
-        return isDefault() || isManual() || isAdaptiveCruise() || isIntelligentDriver() || hasPhysics();
-    }
+    /// Whether it gives the entity to a person who sits in it.
+    bool isManual() const;
 
     /// Returns a property as a number, or `fallback`.
     double number(const std::string& property, double fallback) const;

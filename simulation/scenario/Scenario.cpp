@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "simulation/scenario/ControllerKinds.h"
 #include "simulation/scenario/VisitActions.h"
 
 namespace simulation
@@ -56,7 +57,8 @@ std::optional<SourceLine> driverLine(const Scenario& scenario)
 {
     for (const ScenarioObject& object : scenario.entities)
         for (const Controller& controller : object.controllers)
-            if (controller.isDriver()) return controller.source;
+            if (const auto* const kind = controller.played(); kind && kind->goesByRoads)
+                return controller.source;
     return std::nullopt;
 }
 

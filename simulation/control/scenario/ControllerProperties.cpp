@@ -11,7 +11,7 @@ namespace simulation
 {
 
 ControllerProperties::ControllerProperties(const Controller& controller, std::filesystem::path folder,
-                                           std::initializer_list<std::string_view> names)
+                                           const std::vector<std::string_view>& names)
     : _controller(controller), _folder(std::move(folder))
 {
     for (const auto& [name, value] : controller.properties.values)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,7 +21,7 @@ class ControllerProperties
 public:
     /// `folder`: of the scenario, to which paths are relative. `names`: all that there may be.
     ControllerProperties(const Controller& controller, std::filesystem::path folder,
-                         std::initializer_list<std::string_view> names);
+                         const std::vector<std::string_view>& names);
 
     const std::optional<foundation::Error>& error() const { return _error; }
 

@@ -5,6 +5,7 @@
 
 #include "simulation/player/LeadVehicle.h"
 #include "simulation/player/controllers/SpeedController.h"
+#include "simulation/player/controllers/SpeedControllers.h"
 
 namespace simulation
 {
@@ -86,7 +87,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<SpeedController> makeAdaptiveCruise(const Controller& controller, double speedMps)
+std::unique_ptr<EntityController> makeAdaptiveCruise(const Controller& controller, double speedMps)
 {
     return std::make_unique<AdaptiveCruise>(controller, speedMps);
 }

@@ -8,6 +8,7 @@
 #include "simulation/player/LeadVehicle.h"
 #include "simulation/player/StopAhead.h"
 #include "simulation/player/controllers/SpeedController.h"
+#include "simulation/player/controllers/SpeedControllers.h"
 #include "simulation/road/StopSignals.h"
 
 namespace simulation
@@ -102,7 +103,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<SpeedController> makeIntelligentDriver(const Controller& controller, double speedMps)
+std::unique_ptr<EntityController> makeIntelligentDriver(const Controller& controller, double speedMps)
 {
     return std::make_unique<IntelligentDriver>(controller, speedMps);
 }

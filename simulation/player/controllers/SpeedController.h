@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-
 #include "simulation/player/actions/RunningAction.h"
 #include "simulation/player/controllers/EntityController.h"
 
@@ -19,12 +17,6 @@ public:
 
     void move(ActionScene& scene, int actor) final;
 };
-
-/// Makes what plays a controller; null: it is the default one, or is not played.
-std::unique_ptr<SpeedController> makeSpeedController(const Controller& controller, const EntityState& state);
-
-std::unique_ptr<SpeedController> makeAdaptiveCruise(const Controller& controller, double speedMps);
-std::unique_ptr<SpeedController> makeIntelligentDriver(const Controller& controller, double speedMps);
 
 /// The limits of an entity; of one without, those of a car.
 Performance performanceOf(const ScenarioObject& object);

@@ -8,6 +8,7 @@
 
 #include "SourceNames.h"
 #include "simulation/parser/Coverage.h"
+#include "simulation/scenario/ControllerKinds.h"
 
 namespace
 {
@@ -82,6 +83,22 @@ TEST(OpenScenarioReference, NamesTheWordsOfTheLanguage)
         ++words;
     }
     EXPECT_GT(words, 30u);
+}
+
+TEST(OpenScenarioReference, NamesEveryControllerAndNoOther)
+{
+    const Page page = Page::read("openscenario.md");
+    Names names, others;
+    for (const simulation::ControllerKind& kind : simulation::controllerKinds())
+    {
+        names.insert(std::string(kind.name));
+        for (const std::string_view other : kind.otherNames)
+            if (!other.empty()) others.insert(std::string(other));
+    }
+    EXPECT_EQ(differences(names, page.column("Controllers", 0)), "");
+    EXPECT_EQ(differences(others, page.column("Controllers", 1)), "");
+    EXPECT_NE(differences(names, page.without("Driver").column("Controllers", 0)), "");
+    EXPECT_NE(differences(names, page.with("Controllers", "SumoController").column("Controllers", 0)), "");
 }
 
 TEST(OpenScenarioReference, HasTheCoveragePageOfTheTable)

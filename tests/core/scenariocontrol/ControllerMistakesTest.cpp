@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mistakes in controllers with physics: one line each, with file, line and remedy; and what is done when one
 // cannot begin later.
+#include "../reference/MarkdownTable.h"
 #include "ControlPlay.h"
+#include "simulation/control/scenario/VehicleControllers.h"
+#include "simulation/scenario/ControllerKinds.h"
 
 namespace
 {
@@ -104,6 +107,43 @@ TEST(ControllerStarts, ACarThatDrivesIntoWaterIsTold)
     ASSERT_EQ(player->notes().size(), 1U);
     EXPECT_NE(player->notes()[0].find("Ego crashed after"), std::string::npos) << player->notes()[0];
     EXPECT_NE(player->notes()[0].find("water"), std::string::npos) << player->notes()[0];
+}
+
+/// The kinds with physics, and those that have a maker.
+reference::Names kindsWithPhysics()
+{
+    reference::Names names;
+    for (const simulation::ControllerKind& kind : simulation::controllerKinds())
+        if (kind.role == simulation::ControllerRole::vehicle) names.insert(std::string(kind.name));
+    return names;
+}
+
+reference::Names makersWithPhysics(std::size_t leftOut = 0)
+{
+    reference::Names names;
+    for (const auto& maker : std::span(simulation::kVehicleControllers).subspan(leftOut))
+        names.insert(std::string(maker().name));
+    return names;
+}
+
+TEST(ControllersWithPhysics, EachHasAKindAndAMaker)
+{
+    EXPECT_EQ(reference::differences(kindsWithPhysics(), makersWithPhysics()), "");
+    EXPECT_NE(reference::differences(kindsWithPhysics(), makersWithPhysics(1)), "");
+}
+
+TEST(ControllersWithPhysics, HaveTheirPropertiesOnThePage)
+{
+    reference::Names known{"kind"};
+    for (const std::string_view property : simulation::kVehicleProperties)
+        known.insert(std::string(property));
+    for (const auto& maker : simulation::kVehicleControllers)
+        for (const std::string_view property : maker().properties)
+            known.insert(std::string(property));
+    const auto page = reference::Page::read("openscenario.md");
+    EXPECT_EQ(reference::differences(known, page.column("Controllers with physics", 0)), "");
+    EXPECT_NE(reference::differences(known, page.without("inputs").column("Controllers with physics", 0)),
+              "");
 }
 
 } // namespace

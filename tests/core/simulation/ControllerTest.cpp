@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Controllers, lamps and distances sideways on a straight road: values worked by hand.
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +10,8 @@
 #include "ScenarioText.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
+#include "simulation/player/controllers/SpeedControllers.h"
+#include "simulation/scenario/ControllerKinds.h"
 
 namespace simulation
 {
@@ -155,6 +159,59 @@ TEST(Controllers, OneThatIsNotPlayedIsToldWithItsLine)
     ASSERT_EQ(parsed->problems.size(), 1u);
     EXPECT_NE(parsed->problems[0].error.message().find("the controller SumoController is not played"),
               std::string::npos);
+}
+
+std::vector<Problem> problemsWith(const std::string& kind)
+{
+    const std::string text = following(controllerOf(kind, "")).text();
+    const auto parsed = parseScenario(text, "test.xosc", {.tolerant = true, .parameters = {}});
+    EXPECT_TRUE(parsed) << parsed.error().message();
+    return parsed ? parsed->problems : std::vector<Problem>();
+}
+
+TEST(Controllers, AnUnknownOneIsToldWithTheNamesOfAllThatThereAre)
+{
+    const std::vector<Problem> problems = problemsWith("SumoController");
+    ASSERT_EQ(problems.size(), 1u);
+    const std::string message = problems[0].error.message();
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+    for (const ControllerKind& kind : controllerKinds())
+    {
+        EXPECT_NE(message.find(kind.name), std::string::npos) << kind.name;
+        EXPECT_TRUE(problemsWith(std::string(kind.name)).empty()) << kind.name;
+        for (const std::string_view other : kind.otherNames)
+            EXPECT_TRUE(problemsWith(std::string(other)).empty()) << other;
+        // One letter off is another name.
+        EXPECT_EQ(problemsWith(std::string(kind.name) + "s").size(), 1u) << kind.name;
+    }
+}
+
+/// The kinds of the speed that have no maker, and the makers that have no kind.
+std::string strayOf(std::span<const SpeedControllerMaker> makers)
+{
+    std::string stray;
+    for (const ControllerKind& kind : controllerKinds())
+        if (kind.role == ControllerRole::speed || kind.standsWithoutPerson)
+            if (std::none_of(makers.begin(), makers.end(),
+                             [&](const SpeedControllerMaker& maker) { return maker.name == kind.name; }))
+                stray += std::string(kind.name) + " has no maker\n";
+    for (const SpeedControllerMaker& maker : makers)
+    {
+        const ControllerKind* const kind = findControllerKind(maker.name);
+        if (!kind || (kind->role != ControllerRole::speed && !kind->standsWithoutPerson))
+            stray += std::string(maker.name) + " is no kind that sets a speed\n";
+    }
+    return stray;
+}
+
+TEST(Controllers, EachThatSetsASpeedHasAKindAndAMaker)
+{
+    const std::span<const SpeedControllerMaker> makers(kSpeedControllers);
+    EXPECT_EQ(strayOf(makers), "");
+    EXPECT_EQ(strayOf(makers.subspan(1)), "ACCController has no maker\n");
+    std::vector<SpeedControllerMaker> more(makers.begin(), makers.end());
+    more.push_back({"Autopilot", makeAdaptiveCruise});
+    EXPECT_EQ(strayOf(more), "Autopilot is no kind that sets a speed\n");
 }
 
 TEST(LateralDistance, IsKeptAtOnceOrNoFasterThanAllowed)
