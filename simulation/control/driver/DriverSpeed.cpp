@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast a driver wants to be, and what feet do for it. Source: Treiber, Hennecke, Helbing, *Congested
-// traffic states in empirical observations and microscopic simulations*, 2000 (intelligent driver model).
+// How fast a driver wants to be, and what feet do for it.
 #include <algorithm>
 #include <cmath>
 
 #include "simulation/control/driver/Driver.h"
+#include "simulation/road/FollowingModel.h"
 
 namespace simulation
 {
@@ -45,14 +45,10 @@ double Driver::wantedSpeed(double speedMps) const
 double Driver::acceleration(double speedMps, const Ahead& ahead) const
 {
     const double wish = wantedSpeed(speedMps);
-    const double closing = speedMps * (speedMps - ahead.speedMps) /
-                           (2.0 * std::sqrt(_settings.accelerateMps2 * _settings.brakeMps2));
-    const double desired =
-        _settings.gapM +
-        std::max(0.0, speedMps * _settings.headwayS * (ahead.speedMps > 0.5 ? 1.0 : 0.2) + closing);
-    const double crowd = desired / std::max(0.1, ahead.gapM);
-    double wanted =
-        _settings.accelerateMps2 * (1.0 - std::pow(std::max(0.0, speedMps) / wish, 4.0) - crowd * crowd);
+    const double headwayM = speedMps * _settings.headwayS * (ahead.speedMps > 0.5 ? 1.0 : 0.2);
+    const double crowd = crowding({speedMps, ahead.gapM, ahead.speedMps, _settings.gapM, headwayM,
+                                   _settings.accelerateMps2, _settings.brakeMps2});
+    double wanted = _settings.accelerateMps2 * (1.0 - std::pow(std::max(0.0, speedMps) / wish, 4.0) - crowd);
     if (speedMps > wish) wanted = std::min(wanted, kSlowsPerS * (wish - speedMps));
     return std::clamp(wanted, -8.0, _settings.accelerateMps2);
 }

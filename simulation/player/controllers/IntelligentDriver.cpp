@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source: Treiber, Hennecke, Helbing, *Congested traffic states in empirical observations and microscopic
-// simulations*, Physical Review E 62, 2000, equations 3 and 4.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,6 +7,7 @@
 #include "simulation/player/StopAhead.h"
 #include "simulation/player/controllers/SpeedController.h"
 #include "simulation/player/controllers/SpeedControllers.h"
+#include "simulation/road/FollowingModel.h"
 #include "simulation/road/StopSignals.h"
 
 namespace simulation
@@ -40,10 +39,10 @@ public:
         double acceleration = 1.0 - share * share * share * share;
         double crowd = 0.0;
         if (const auto lead = leadVehicleOf(scene, actor, kLookAheadM, kLateralM))
-            crowd = crowding(lead->gapM, scene.motion(lead->entity).state().speedMps);
+            crowd = crowdedBy(lead->gapM, scene.motion(lead->entity).state().speedMps);
         // A line to stop at is as one that stands with its back at the line.
         if (const auto gapM = lineAhead(scene, actor))
-            crowd = std::max(crowd, crowding(*gapM + _distanceM - kBeforeLineM, 0.0));
+            crowd = std::max(crowd, crowdedBy(*gapM + _distanceM - kBeforeLineM, 0.0));
         acceleration -= crowd;
         Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
         limits.maxDecelerationMps2 *= scene.grip();
@@ -82,16 +81,10 @@ private:
         return *_hasSigns || !scene.signalStates().empty();
     }
 
-    /// How much something ahead slows it down: (s* / s)².
-    double crowding(double gapM, double aheadMps) const
+    double crowdedBy(double gapM, double aheadMps) const
     {
-        constexpr double kTouchingM = 0.1;
-        const double brakes = 2.0 * std::sqrt(std::max(_accelerationMps2 * _decelerationMps2, 0.01));
-        const double closing = _speedMps - aheadMps;
-        const double wanted =
-            _distanceM + std::max(0.0, _speedMps * _headwayS + _speedMps * closing / brakes);
-        const double ratio = wanted / std::max(gapM, kTouchingM);
-        return ratio * ratio;
+        return crowding({_speedMps, gapM, aheadMps, _distanceM, _speedMps * _headwayS, _accelerationMps2,
+                         _decelerationMps2});
     }
 
     double _speedMps;

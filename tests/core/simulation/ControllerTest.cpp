@@ -11,6 +11,7 @@
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/player/controllers/SpeedControllers.h"
+#include "simulation/road/FollowingModel.h"
 #include "simulation/scenario/ControllerKinds.h"
 
 namespace simulation
@@ -212,6 +213,20 @@ TEST(Controllers, EachThatSetsASpeedHasAKindAndAMaker)
     std::vector<SpeedControllerMaker> more(makers.begin(), makers.end());
     more.push_back({"Autopilot", makeAdaptiveCruise});
     EXPECT_EQ(strayOf(more), "Autopilot is no kind that sets a speed\n");
+}
+
+TEST(FollowingModel, CrowdsByTheSquareOfTheWantedShareOfTheGap)
+{
+    // It wants 2 m, 1.5 s of 20 m/s and 20·10 / (2·√(2·4.5)) m: 2 + 30 + 33.333.
+    const Following behind{20.0, 65.333333333333333, 10.0, 2.0, 1.5 * 20.0, 2.0, 4.5};
+    EXPECT_NEAR(crowding(behind), 1.0, 1e-12);
+    Following twice = behind;
+    twice.gapM *= 2.0;
+    EXPECT_NEAR(crowding(twice), 0.25, 1e-12);
+    Following standing{0.0, 2.0, 0.0, 2.0, 0.0, 2.0, 4.5};
+    EXPECT_NEAR(crowding(standing), 1.0, 1e-12);
+    standing.leadMps = 15.0; // one that drives away is not closer than one that stands
+    EXPECT_NEAR(crowding(standing), 1.0, 1e-12);
 }
 
 TEST(LateralDistance, IsKeptAtOnceOrNoFasterThanAllowed)
