@@ -114,13 +114,40 @@ foundation::Result<PlayRequest> withSeat(const simulation::Scenario& scenario, c
     return request;
 }
 
-} // namespace
-
-foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& asked)
+/// A scenario that is read, who sits in it, and what it is played on.
+struct OpenedPlay
 {
-    const auto seated = withSeat(scenario, asked);
+    simulation::Scenario scenario;
+    PlayRequest request;
+    SceneTerrain terrain;
+};
+
+/// Reads the scenario of a request, and opens its stage.
+foundation::Result<OpenedPlay> openPlay(const PlayRequest& asked)
+{
+    auto parsed =
+        simulation::readScenario(asked.scenario, {.tolerant = true, .parameters = asked.parameters});
+    if (!parsed) return parsed.error();
+    if (const auto sound = tellProblems(parsed->problems); !sound) return sound.error();
+    auto seated = withSeat(parsed->scenario, asked);
     if (!seated) return seated.error();
-    const PlayRequest& request = *seated;
+    if (const auto told = tellInputs(parsed->scenario, *seated); !told) return told.error();
+    auto terrain = openStage(parsed->scenario, *seated);
+    if (!terrain) return terrain.error();
+    return OpenedPlay{std::move(parsed->scenario), std::move(*seated), std::move(*terrain)};
+}
+
+/// Lays the recordings that the scenario names over its stage.
+foundation::Outcome layRecordingsOf(OpenedPlay& opened)
+{
+    const simulation::SceneFrame frame(opened.terrain.origin(), opened.terrain.ground());
+    return tellRecordings(opened.scenario, {opened.request.scenario, &frame});
+}
+
+/// As playOver(), by a request that has its seat.
+foundation::Outcome playSeated(SceneTerrain terrain, simulation::Scenario scenario,
+                               const PlayRequest& request)
+{
     if (request.window.isWanted)
     {
         auto window =
@@ -139,9 +166,6 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
     return leaveResults(**session, request);
 }
 
-namespace
-{
-
 /// Whether Init says where the sun stands, by the time of day or by itself.
 bool saysSun(const simulation::Scenario& scenario)
 {
@@ -154,51 +178,43 @@ bool saysSun(const simulation::Scenario& scenario)
 
 } // namespace
 
+foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& asked)
+{
+    const auto request = withSeat(scenario, asked);
+    if (!request) return request.error();
+    return playSeated(std::move(terrain), std::move(scenario), *request);
+}
+
 foundation::Outcome play(const PlayRequest& request)
 {
     if (const auto usable = terminal::checkPlaces(placesOf(request)); !usable) return usable;
     if (!request.terrain.opening->stages().empty()) request.terrain.opening->restart();
-    auto parsed =
-        simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
-    if (!parsed) return parsed.error();
-    if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
-    const auto seated = withSeat(parsed->scenario, request);
-    if (!seated) return seated.error();
-    if (const auto told = tellInputs(parsed->scenario, *seated); !told) return told;
-    auto terrain = openStage(parsed->scenario, *seated);
-    if (!terrain) return terrain.error();
-    if (!saysSun(parsed->scenario))
+    auto opened = openPlay(request);
+    if (!opened) return opened.error();
+    if (!saysSun(opened->scenario))
         std::cout << "note: the scenario has no TimeOfDay in Init; "
-                  << (terrain->air.sun ? "the sun stands as the world file says"
-                                       : "it is 10 o'clock in June, by whole hours of longitude")
+                  << (opened->terrain.air.sun ? "the sun stands as the world file says"
+                                              : "it is 10 o'clock in June, by whole hours of longitude")
                   << '\n';
-    const simulation::SceneFrame frame(terrain->origin(), terrain->ground());
-    if (const auto laid = tellRecordings(parsed->scenario, {request.scenario, &frame}); !laid) return laid;
-    return playOver(std::move(*terrain), std::move(parsed->scenario), request);
+    if (const auto laid = layRecordingsOf(*opened); !laid) return laid;
+    return playSeated(std::move(opened->terrain), std::move(opened->scenario), opened->request);
 }
 
 foundation::Outcome playSeatHeadless(const PlayRequest& asked, const HeadlessRequest& headless)
 {
-    auto parsed =
-        simulation::readScenario(asked.scenario, {.tolerant = true, .parameters = asked.parameters});
-    if (!parsed) return parsed.error();
-    if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
-    const auto request = withSeat(parsed->scenario, asked);
-    if (!request) return request.error();
-    if (const auto told = tellInputs(parsed->scenario, *request); !told) return told;
-    const auto terrain = openStage(parsed->scenario, *request);
-    if (!terrain) return terrain.error();
-    const simulation::SceneFrame frame(terrain->origin(), terrain->ground());
-    if (const auto laid = tellRecordings(parsed->scenario, {asked.scenario, &frame}); !laid) return laid;
-    addWeather(parsed->scenario, *request);
-    auto options =
-        playerOptionsOf(parsed->scenario, *terrain, *request, simulation::FixedClock(kSeatStepsPerSecond));
+    auto opened = openPlay(asked);
+    if (!opened) return opened.error();
+    if (const auto laid = layRecordingsOf(*opened); !laid) return laid;
+    const PlayRequest& request = opened->request;
+    addWeather(opened->scenario, request);
+    auto options = playerOptionsOf(opened->scenario, opened->terrain, request,
+                                   simulation::FixedClock(kSeatStepsPerSecond));
     if (!options) return options.error();
     const auto seat = seatOf(*options);
-    auto player = simulation::ScenarioPlayer::create(std::move(parsed->scenario), std::move(*options));
+    auto player = simulation::ScenarioPlayer::create(std::move(opened->scenario), std::move(*options));
     if (!player) return player.error();
     if (const auto played = playOut(**player, headless); !played || !seat) return played;
-    return writeRecorded(*seat, request->seat->recordInputs, (*player)->timeS());
+    return writeRecorded(*seat, request.seat->recordInputs, (*player)->timeS());
 }
 
 foundation::Outcome playScene(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
