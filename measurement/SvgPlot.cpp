@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace measurement
 {
@@ -44,6 +45,7 @@ Axes axesOf(const Plot& plot)
     {
         for (const double value : series.values)
         {
+            if (!std::isfinite(value)) continue;
             axes.y0 = std::min(axes.y0, value);
             axes.y1 = std::max(axes.y1, value);
         }
@@ -107,14 +109,15 @@ std::string lineOf(const Plot& plot, const PlotSeries& series, const Axes& axes)
     {
         // All values that fall on one unit of width.
         const double column = std::floor(axes.px(plot.x[i]));
-        double least = series.values[i];
-        double greatest = least;
+        double least = std::numeric_limits<double>::infinity(), greatest = -least;
         const std::size_t first = i;
         for (; i < count && std::floor(axes.px(plot.x[i])) == column; ++i)
         {
+            if (!std::isfinite(series.values[i])) continue;
             least = std::min(least, series.values[i]);
             greatest = std::max(greatest, series.values[i]);
         }
+        if (least > greatest) continue;
         points += pointAt(axes.px(plot.x[first]), axes.py(greatest));
         if (least < greatest) points += pointAt(axes.px(plot.x[first]), axes.py(least));
     }

@@ -26,7 +26,7 @@ struct Plot
 
 /// Draws a plot as an <svg> element of 720 × 220 units. The y axis begins at 0, or at the least value when
 /// that is negative. More points than pixels are drawn as the least and the greatest value of each unit, so
-/// that no peak is lost.
+/// that no peak is lost. A value that is infinite or no number is left out.
 std::string svgPlot(const Plot& plot);
 
 /// Returns the greatest of 1, 2, 5 times a power of ten that divides `span` into at least `steps` parts.

@@ -36,6 +36,8 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     settings.maxTriangles = request.maxTriangles.value_or(defaultMaxTriangles(settings.method));
     settings.morphing = request.morphing;
     if (request.viewMarginDeg) settings.viewMarginDeg = request.viewMarginDeg;
+    settings.maxAdaptTimeUs = request.adaptTimeUs.value_or(settings.maxAdaptTimeUs);
+    settings.adaptClock = request.adaptClock;
     settings.patchExponent = request.patchExponent.value_or(0);
     return terrain.setSettings(settings);
 }

@@ -298,7 +298,7 @@ FrameStatistics PlaySession::measured()
         row.splits += group.refine.splits;
         row.merges += group.refine.merges;
         row.adaptUs += group.adaptUs;
-        row.maxErrorPx = std::max(row.maxErrorPx, group.refine.tolerancePx);
+        row.maxErrorPx = std::max({row.maxErrorPx, group.refine.tolerancePx, group.refine.errorBoundPx});
     }
     if (_play.terrain.triangulation)
         for (const auto& group : _play.terrain.triangulation->statistics())

@@ -12,6 +12,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <viewlod/Budget.h>
+
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 #include <osgTerrainROAM/core/method/Method.h>
 
@@ -90,6 +92,9 @@ struct TerrainRequest
     /// refines only what is seen and so much beside it; absent: as the
     std::optional<double> viewMarginDeg{};
     ///< terrain's file says
+    /// of each frame, for adapting a mesh; absent: as the terrain's file says
+    std::optional<double> adaptTimeUs{};
+    viewlod::Budget::Clock adaptClock = viewlod::Budget::Clock::modelled; ///< pictures repeat
     std::optional<int> patchExponent =
         0;                       ///< 2^k triangles a leaf; absent: measured to be the fastest on this machine
     bool wantsObstacles = false; ///< gathers what vehicles may hit (SceneTerrain::obstacles)

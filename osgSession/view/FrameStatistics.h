@@ -36,7 +36,7 @@ struct FrameStatistics
     double adaptUs = 0.0;
     double cullMs = 0.0;
     double drawMs = 0.0;
-    double maxErrorPx = 0.0;              ///< bound reached, anywhere in the image
+    double maxErrorPx = 0.0; ///< bound reached, anywhere in the image; infinite: none is known yet
     std::optional<ObjectFigures> objects; ///< absent without a scenery
     double wallMs = 0.0;           ///< from the eye's move to the end of drawing, by the clock on the wall
     double processorMs = 0.0;      ///< of all threads of the process, in the same time

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/HtmlReport.h"
 
+#include <cmath>
+
 #include <foundation/WholeFile.h>
 
 #include "measurement/HtmlPage.h"
@@ -35,7 +37,7 @@ std::string summaryTable(const std::vector<FrameStatistics>& frames)
         const ColumnSummary summary = summaryOf(frames, column);
         html += "<tr><td>" + std::string(column.name) + (column.isMeasured ? " (measured)" : "") + "</td>";
         for (const double value : {summary.first, summary.median, summary.p99, summary.largest})
-            html += "<td class=\"number\">" + figureText(value) + "</td>";
+            html += "<td class=\"number\">" + (std::isfinite(value) ? figureText(value) : "none") + "</td>";
         html += "</tr>\n";
     }
     return html + "</table>\n";

@@ -211,6 +211,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     settings.errorTolerancePx = description.errorTolerancePx;
     settings.maxTriangles = description.maxTriangles;
     settings.viewMarginDeg = description.viewMarginDeg;
+    settings.maxAdaptTimeUs = description.adaptTimeUs.value_or(settings.maxAdaptTimeUs);
     if (const auto set = terrain->setSettings(settings); !set) return set.error();
     if (const auto set = terrain->atmosphere()->setSettings(atmosphereSettings(description)); !set)
         return set.error();

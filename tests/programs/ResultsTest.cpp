@@ -97,6 +97,51 @@ TEST_F(Results, TheErrorTargetAndTheCeilingAreKept)
     EXPECT_GT(largest(few, "maxErrorPx"), 1.0) << "the tolerance reached is not reported";
 }
 
+/// What the operations of a frame cost by the model of viewlod/Slice.h, at least.
+double modelledUs(const nlohmann::json& frame)
+{
+    return 0.07 * (frame.at("splits").get<double>() + frame.at("merges").get<double>());
+}
+
+TEST_F(Results, AdaptingKeepsItsTimeAndTheBoundMeanwhileIsTold)
+{
+    const std::vector<std::string> still{"--fps", "240", "--frames", "40", "--tolerance", "0.2"};
+    const auto sliced = [&](const std::string& name)
+    {
+        std::vector<std::string> more = still;
+        more.insert(more.end(), {"--adapt-time", "20"});
+        return play(name, more);
+    };
+    const Playing whole = play("whole", still), one = sliced("one"), again = sliced("again");
+    EXPECT_EQ(one.frames, again.frames) << "the cost model counts, not a clock";
+    EXPECT_EQ(withoutMeasured(one.statistics), withoutMeasured(again.statistics));
+    EXPECT_GT(modelledUs(whole.statistics["frames"][0]), 3 * 20.0) << "the control";
+    for (const auto& frame : one.statistics["frames"])
+        EXPECT_LE(modelledUs(frame), 20.0 + 5.0) << frame["frame"] << ": a forced chain may be begun last";
+    const auto bound = [&](std::size_t i)
+    {
+        const auto& px = one.statistics["frames"][i]["maxErrorPx"]; // null: none is known yet
+        return px.is_null() ? 1e9 : px.get<double>();
+    };
+    EXPECT_GT(bound(0), 0.2) << "what is left over must be told";
+    EXPECT_EQ(bound(39), 0.2) << "the next frames do the rest";
+    EXPECT_EQ(one.statistics["frames"][39]["triangles"], whole.statistics["frames"][39]["triangles"]);
+    EXPECT_NE(one.frames.at("frame_00000.png"), whole.frames.at("frame_00000.png"));
+}
+
+TEST_F(Results, TheTimeOfAdaptingIsATerrainsOwnToo)
+{
+    _place.write("slow.roam", "dem = hill.tif\nadapt_time_us = 20\n");
+    const std::vector<std::string> more{"--terrain", _place.path("slow.roam"), "--tolerance", "0.2"};
+    EXPECT_LE(modelledUs(play("own", more).statistics["frames"][0]), 25.0);
+    std::vector<std::string> longer = more;
+    longer.insert(longer.end(), {"--adapt-time", "100000"});
+    EXPECT_GT(modelledUs(play("longer", longer).statistics["frames"][0]), 60.0) << "the option goes before";
+    const ProgramRun run = runTrainer({"play", _place.path("drive.xosc"), "--adapt-time", "20", "--method",
+                                       "vipm-overlapping", "--capture", _place.path("none")});
+    EXPECT_TRUE(failsWith(run, 1, "trainer", {"vipm-overlapping", "keeps no limit of time"}));
+}
+
 TEST_F(Results, PatchesAreDrawnAndCounted)
 {
     const auto triangles = [](const Playing& playing)

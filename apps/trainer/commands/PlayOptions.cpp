@@ -232,6 +232,10 @@ void PlayOptions::addTerrainOptions(CLI::App& command)
         .add_option("--view-margin", request.terrain.viewMarginDeg,
                     "refine only what is seen and so many degrees beside it, not all around")
         ->check(terminal::between(0.0, 90.0));
+    command
+        .add_option("--adapt-time", request.terrain.adaptTimeUs,
+                    "microseconds that a frame may adapt the terrain; the next ones do the rest")
+        ->check(terminal::between(1.0, 1e6));
     command.add_option("--patch-exponent", _patchExponent,
                        "2^K triangles for each leaf, K even from 0 to 10; or 'measure': the fastest on "
                        "this machine");
@@ -308,6 +312,8 @@ foundation::Outcome PlayOptions::complete()
     const bool isCaptured = !request.output.captureFolder.empty();
     request.window.choosesQuality = _quality->count() == 0 && !isCaptured;
     request.window.choosesTolerance = _tolerance->count() == 0 && !isCaptured;
+    const bool isLive = request.window.isWanted && !isCaptured;
+    request.terrain.adaptClock = isLive ? viewlod::Budget::Clock::thread : viewlod::Budget::Clock::modelled;
     if (_tolerance->count() == 0) request.terrain.errorTolerancePx = rulesOf(frames.quality).tolerancePx;
     if (frames.isInside() && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
         return foundation::Error{"--eye-height", "no driver's eye is higher than 10 m",

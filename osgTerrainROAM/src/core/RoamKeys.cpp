@@ -177,6 +177,8 @@ constexpr std::array kKeys{
     Key{"max_triangles", assignTriangles},
     Key{"view_margin",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.viewMarginDeg, e, 0.0, 90.0); }},
+    Key{"adapt_time_us",
+        [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.adaptTimeUs, e, 1.0, 1e6); }},
     Key{"aridity", [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.land.aridity, e, 0.0, 1.0); }},
     Key{"tree_line",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.land.treeLineM, e, -kFar, kFar); }},

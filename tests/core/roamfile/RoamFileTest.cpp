@@ -34,6 +34,7 @@ finest_spacing = 0.5
 error_tolerance = 1.5
 max_triangles = 60000
 view_margin = 7.5
+adapt_time_us = 1500
 aridity = 0.4
 tree_line = 1900
 snow_line = 2500
@@ -73,6 +74,7 @@ TEST(RoamFile, HasEveryKey)
     EXPECT_EQ(file->errorTolerancePx, 1.5);
     EXPECT_EQ(file->maxTriangles, 60000u);
     EXPECT_EQ(file->viewMarginDeg, 7.5);
+    EXPECT_EQ(file->adaptTimeUs, 1500.0);
     EXPECT_EQ(file->land.aridity, 0.4);
     EXPECT_EQ(file->land.water, WaterRule::none);
     EXPECT_EQ(file->land.treeLineM, 1900.0);

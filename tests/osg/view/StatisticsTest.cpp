@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -178,6 +179,21 @@ TEST(SvgPlot, DrawsWhatHasNoExtentOrNoPoints)
     const std::string flat = measurement::svgPlot({"flat", "x", {2.0}, {{"s", "#000", {0.0}}}});
     EXPECT_EQ(flat.find("nan"), std::string::npos);
     EXPECT_EQ(flat.find("inf"), std::string::npos);
+}
+
+TEST(SvgPlot, LeavesOutWhatIsNoFiniteNumber)
+{
+    const double none = std::numeric_limits<double>::infinity();
+    const auto drawn = [](std::vector<double> x, std::vector<double> values) {
+        return measurement::svgPlot({"bound", "x", std::move(x), {{"s", "#000", std::move(values)}}});
+    };
+    const std::string svg = drawn({0.0, 1.0, 2.0, 3.0}, {none, 4.0, none, 2.0});
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+    const std::string without = drawn({0.0, 1.0, 3.0}, {0.0, 4.0, 2.0});
+    const auto lineEnd = [](const std::string& text) { return text.substr(text.rfind("<polyline")); };
+    EXPECT_THAT(lineEnd(without), testing::HasSubstr(lineEnd(svg).substr(lineEnd(svg).find("points=") + 8)))
+        << "the rest lies where it lay";
 }
 
 TEST(SvgPlot, StepsAreOneTwoFive)

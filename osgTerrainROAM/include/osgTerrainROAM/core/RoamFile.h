@@ -112,6 +112,7 @@ struct RoamFile
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = std::numeric_limits<std::uint32_t>::max();
     std::optional<double> viewMarginDeg; ///< absent: refined all around
+    std::optional<double> adaptTimeUs;   ///< that a frame may adapt the mesh; absent: no limit
     LandParameters land;
     std::optional<double> sunAzimuthDeg; ///< both sun angles are present, or neither
     std::optional<double> sunElevationDeg;

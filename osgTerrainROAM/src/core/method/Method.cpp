@@ -48,7 +48,7 @@ foundation::Outcome checkMethod(const MethodRequest& request, const std::string&
         return cannot(request.method, owner, "does not morph", "turn morphing off");
     if (request.limitsTime && !traits.stopsInTime)
         return cannot(request.method, owner, "keeps no limit of time",
-                      "set the time for adapting to infinity");
+                      "leave out the time for adapting, or choose another method");
     if (request.inSight && !traits.refinesInSight)
         return cannot(request.method, owner, "refines all around", "leave out the margin of the view");
     return foundation::success();
