@@ -195,6 +195,45 @@ TEST(Spool, aGridByRowsIsTheGrid)
     EXPECT_EQ(found.triangles, mesh.triangles);
 }
 
+TEST(Spool, cellsAreCutByTheRule) // by hand
+{
+    using osgPMObjects::core::DiagonalRule;
+    const auto rises = [](DiagonalRule rule, float sw, float se, float nw, float ne) {
+        return isCutRising(sw, se, nw, ne, {rule, 2.0, 2.0});
+    };
+    // Rising: ends differ by 6, falling: by 1.
+    EXPECT_FALSE(rises(DiagonalRule::nearestHeights, 0, 0, 1, 6));
+    EXPECT_TRUE(rises(DiagonalRule::largestHeightDifference, 0, 0, 1, 6));
+    // One corner is raised by 5: cut at it the triangles meet at 82°, across it at 74°.
+    EXPECT_TRUE(rises(DiagonalRule::largestNormalAngle, 5, 0, 0, 0));
+    EXPECT_FALSE(rises(DiagonalRule::largestNormalAngle, 0, 5, 0, 0));
+    // Cut at the raised corner both triangles lean alike; across it one lies level.
+    EXPECT_TRUE(rises(DiagonalRule::nearestAreas, 0, 0, 0, 6));
+    EXPECT_FALSE(rises(DiagonalRule::nearestAreas, 0, 0, 6, 0));
+    for (const DiagonalRule rule : {DiagonalRule::nearestHeights, DiagonalRule::largestHeightDifference,
+                                    DiagonalRule::largestNormalAngle, DiagonalRule::nearestAreas})
+        EXPECT_TRUE(rises(rule, 3, 3, 3, 3)) << "alike to the rule";
+}
+
+TEST(Spool, aGridByRowsIsCutAsTheGrid)
+{
+    const testsupport::TestFolder folder("mt-spool");
+    const SurfaceMesh hills = testsupport::hillSurface(37, 29);
+    std::vector<float> heights;
+    for (const SurfacePoint& point : hills.points)
+        heights.push_back(static_cast<float>(point.height));
+    const CellCut cut{osgPMObjects::core::DiagonalRule::largestHeightDifference, 30.0, 20.0};
+    SurfaceSpool spool = std::move(*SurfaceSpool::create(folder / ""));
+    GridSpool grid(spool, 37, cut);
+    for (std::size_t row = 0; row < 29; ++row)
+        grid.addRow(std::span(heights).subspan(37 * row, 37));
+    grid.finish();
+    ASSERT_TRUE(spool.finish());
+    const SurfaceMesh mesh = gridSurface(37, 29, heights, cut);
+    EXPECT_EQ(meshOf(spool).triangles, mesh.triangles);
+    EXPECT_NE(mesh.triangles, hills.triangles) << "the control";
+}
+
 TEST(Spool, voidsOfAGridAreHoles) // by hand: the triangle below the diagonal next to the void
 {
     const testsupport::TestFolder folder("mt-spool");

@@ -3,13 +3,13 @@
 #include <utility>
 
 #include <osgMultiTriangulation/core/spool/GridSpool.h>
-#include <osgMultiTriangulation/core/surface/GridSurface.h>
 
 namespace osgMultiTriangulation::core
 {
 
-GridSpool::GridSpool(SurfaceSpool& spool, int columns)
+GridSpool::GridSpool(SurfaceSpool& spool, int columns, const CellCut& cut)
     : _spool(spool),
+      _cut(cut),
       _columns(columns),
       _isUsed(static_cast<std::size_t>(columns), false),
       _isUsedAbove(_isUsed),
@@ -43,7 +43,8 @@ void GridSpool::cutCells(std::span<const float> upper)
     {
         const float sw = _heights[c], se = _heights[c + 1], nw = upper[c], ne = upper[c + 1];
         const bool cutsOff = !std::isfinite(se) || !std::isfinite(nw); // then the others are on a rising cut
-        const bool rises = std::isfinite(sw) && std::isfinite(ne) && (cutsOff || isCutRising(sw, se, nw, ne));
+        const bool rises =
+            std::isfinite(sw) && std::isfinite(ne) && (cutsOff || isCutRising(sw, se, nw, ne, _cut));
         const Corner atSw{c, false}, atSe{c + 1, false}, atNw{c, true}, atNe{c + 1, true};
         for (const Cell& cell : {rises ? Cell{atSw, atSe, atNe} : Cell{atSw, atSe, atNw},
                                  rises ? Cell{atSw, atNe, atNw} : Cell{atSe, atNe, atNw}})

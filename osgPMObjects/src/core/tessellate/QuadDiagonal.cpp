@@ -26,8 +26,26 @@ double angleBetween(const std::array<glm::dvec3, 2>& normals)
     return std::atan2(glm::length(glm::cross(normals[0], normals[1])), glm::dot(normals[0], normals[1]));
 }
 
-/// Returns the quantity that the rule minimises, for the diagonal from `first`.
-double cost(const Quad& quad, std::uint32_t first, DiagonalRule rule)
+} // namespace
+
+std::array<bool, 2> diagonalsInside(const Quad& quad, DiagonalRule rule)
+{
+    std::array<glm::dvec3, 4> corners = {quad[0].position, quad[1].position, quad[2].position,
+                                         quad[3].position};
+    if (isForHeightFields(rule))
+        for (glm::dvec3& corner : corners)
+            corner.z = 0.0;
+    const std::uint32_t size = 4;
+    const auto p = projectPolygon(corners, std::span(&size, 1), ProjectionRule::averageNormal);
+    const auto isInside = [&](int first)
+    {
+        const auto &a = p[first], &b = p[first + 1], &c = p[first + 2], &d = p[(first + 3) % 4];
+        return orientation(a, b, c) > 0.0 && orientation(a, c, d) > 0.0;
+    };
+    return {isInside(0), isInside(1)};
+}
+
+double diagonalCost(const Quad& quad, std::uint32_t first, DiagonalRule rule)
 {
     const QuadCorner &a = quad[first], &b = quad[first + 2];
     switch (rule)
@@ -51,31 +69,12 @@ double cost(const Quad& quad, std::uint32_t first, DiagonalRule rule)
     return 0.0;
 }
 
-} // namespace
-
-std::array<bool, 2> diagonalsInside(const Quad& quad, DiagonalRule rule)
-{
-    std::array<glm::dvec3, 4> corners = {quad[0].position, quad[1].position, quad[2].position,
-                                         quad[3].position};
-    if (isForHeightFields(rule))
-        for (glm::dvec3& corner : corners)
-            corner.z = 0.0;
-    const std::uint32_t size = 4;
-    const auto p = projectPolygon(corners, std::span(&size, 1), ProjectionRule::averageNormal);
-    const auto isInside = [&](int first)
-    {
-        const auto &a = p[first], &b = p[first + 1], &c = p[first + 2], &d = p[(first + 3) % 4];
-        return orientation(a, b, c) > 0.0 && orientation(a, c, d) > 0.0;
-    };
-    return {isInside(0), isInside(1)};
-}
-
 std::optional<std::uint32_t> chooseDiagonal(const Quad& quad, DiagonalRule rule)
 {
     const std::array<bool, 2> isInside = diagonalsInside(quad, rule);
     if (!isInside[0] && !isInside[1]) return std::nullopt;
     if (!isInside[0] || !isInside[1]) return isInside[0] ? 0u : 1u;
-    return cost(quad, 1, rule) < cost(quad, 0, rule) ? 1u : 0u;
+    return diagonalCost(quad, 1, rule) < diagonalCost(quad, 0, rule) ? 1u : 0u;
 }
 
 } // namespace osgPMObjects::core

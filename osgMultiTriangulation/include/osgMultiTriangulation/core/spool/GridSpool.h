@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <osgMultiTriangulation/core/spool/SurfaceSpool.h>
+#include <osgMultiTriangulation/core/surface/GridSurface.h>
 
 namespace osgMultiTriangulation::core
 {
@@ -18,7 +19,7 @@ namespace osgMultiTriangulation::core
 class GridSpool
 {
 public:
-    GridSpool(SurfaceSpool& spool, int columns);
+    GridSpool(SurfaceSpool& spool, int columns, const CellCut& cut = {});
 
     /// Adds a row of heights, metres; the southernmost first.
     void addRow(std::span<const float> heights);
@@ -40,6 +41,7 @@ private:
     void numberRow();
 
     SurfaceSpool& _spool;
+    CellCut _cut;
     int _columns, _row = 0;      ///< of the last row that was added, from 1 on
     std::vector<float> _heights; ///< of that row
     std::vector<bool> _isUsed, _isUsedAbove;

@@ -42,6 +42,9 @@ constexpr bool isForHeightFields(DiagonalRule rule)
 /// convex quad, the one at the reflex corner for a concave quad, none for a bow-tie or a quad without area.
 std::array<bool, 2> diagonalsInside(const Quad& quad, DiagonalRule rule);
 
+/// Returns what a rule makes least, for the diagonal from corner `first`, 0 or 1.
+double diagonalCost(const Quad& quad, std::uint32_t first, DiagonalRule rule);
+
 /// Chooses the diagonal among diagonalsInside(): 0 for 0–2, 1 for 1–3. Nothing: the quad must be cut as a
 /// polygon.
 /// Source: Jin, *Polygon Techniques*, "shading": least difference, and the four rules for height fields.
