@@ -58,6 +58,87 @@ TEST(MtTool, extractsTrianglesThatBuildTheSameAgain)
     EXPECT_TRUE(failsWith(runTerrainTool({"info", place.path("t.ply.mt")}), 1, "terraintool", {"t.ply.mt"}));
 }
 
+/// A row of the table of `info`.
+ordered_json infoOf(const Workplace& place, const std::string& file)
+{
+    const std::string table = place.path("info.json");
+    EXPECT_TRUE(succeeds(runTerrainTool({"info", place.path(file), "--json", table})));
+    return ordered_json::parse(readBytes(table))["files"][0];
+}
+
+TEST(MtTool, keepsTheGeoreferenceWithAndWithoutALimitOfMemory)
+{
+    const Workplace place;
+    ASSERT_TRUE(succeeds(runTerrainTool(building(place, "hill.mt"))));
+    std::vector<std::string> within = building(place, "within.mt");
+    within.insert(within.end(), {"--memory", "200"});
+    ASSERT_TRUE(succeeds(runTerrainTool(within)));
+    for (const char* name : {"hill.mt", "within.mt"})
+    {
+        const ordered_json told = infoOf(place, name);
+        EXPECT_EQ(told["version"], 3);
+        EXPECT_EQ(told["system"], "WGS 84 / UTM zone 32N");
+        EXPECT_NEAR(told["west"].get<double>(), 436015.0, 1e-6) << "centres of pixels";
+        EXPECT_NEAR(told["east"].get<double>(), 437935.0, 1e-6);
+        EXPECT_NEAR(told["north"].get<double>(), 4829935.0, 1e-6);
+        EXPECT_NEAR(told["south"].get<double>(), 4828015.0, 1e-6);
+    }
+    EXPECT_TRUE(succeeds(
+        runTerrainTool({"mt-extract", place.path("hill.mt"), "-o", place.path("t.obj"), "--error", "1",
+                        "--places", "georeference", "--region", "436500,4828500,437000,4829000"})));
+    const std::string obj = readBytes(place.path("t.obj"));
+    EXPECT_TRUE(obj.starts_with("# reference system: WGS 84 / UTM zone 32N\n")) << obj.substr(0, 200);
+    EXPECT_NE(obj.find("v 436015 4828015 "), std::string::npos) << "the south-western corner";
+    place.write("points.xyz", "0 0 1\n9 0 2\n0 9 3\n9 9 4\n");
+    ASSERT_TRUE(succeeds(runTerrainTool({"mt-build", place.path("points.xyz"), "-o", place.path("p.mt")})));
+    EXPECT_TRUE(infoOf(place, "p.mt")["system"].is_null());
+    EXPECT_TRUE(failsWith(runTerrainTool({"mt-extract", place.path("p.mt"), "-o", place.path("p.obj"),
+                                          "--places", "georeference"}),
+                          1, "terraintool", {"p.mt", "no georeference"}));
+}
+
+TEST(MtTool, isTheElevationOfATerrain)
+{
+    const Workplace place;
+    ASSERT_TRUE(succeeds(runTerrainTool(building(place, "hill.mt"))));
+    place.write("by-raster.roam", "dem = hill.tif\nsun = 200 30\n");
+    place.write("by-mt.roam", "dem = hill.mt\nsun = 200 30\n");
+    ordered_json raster = infoOf(place, "by-raster.roam"), triangulation = infoOf(place, "by-mt.roam");
+    EXPECT_TRUE(triangulation["georeferenced"]);
+    raster.erase("file");
+    triangulation.erase("file");
+    EXPECT_EQ(triangulation, raster) << "each sample at its place";
+    EXPECT_TRUE(succeeds(runTerrainTool({"validate", place.path("by-mt.roam"), "--frames", "5"})));
+    place.writeHill("other.tif", 30.0);
+    place.write("two.roam", "dem = other.tif\ndem = hill.mt\n");
+    EXPECT_TRUE(failsWith(runTerrainTool({"info", place.path("two.roam")}), 1, "terraintool",
+                          {"hill.mt", "cannot be joined"}));
+    std::string bytes = readBytes(place.path("hill.mt"));
+    bytes[20] ^= 1;
+    std::ofstream(place.path("hill.mt"), std::ios::binary) << bytes;
+    EXPECT_TRUE(failsWith(runTerrainTool({"info", place.path("by-mt.roam")}), 1, "terraintool",
+                          {"hill.mt", "damaged header"}));
+}
+
+TEST(MtTool, aSurfaceWithoutGeoreferenceIsAPlaneInMetres)
+{
+    const Workplace place;
+    std::string obj; // the plan of an L: there is no surface in the north-east
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            obj += "v " + std::to_string(10 * column) + " " + std::to_string(10 * row) + " 5\n";
+    for (const char* face : {"1 2 5 4", "2 3 6 5", "4 5 8 7"})
+        obj += std::string("f ") + face + "\n";
+    place.write("l.obj", obj);
+    ASSERT_TRUE(succeeds(runTerrainTool({"mt-build", place.path("l.obj"), "-o", place.path("l.mt")})));
+    place.write("l.roam", "dem = l.mt\nplacement = planar\n");
+    const ordered_json told = infoOf(place, "l.roam");
+    EXPECT_FALSE(told["georeferenced"]);
+    EXPECT_GT(told["missing"], 0) << "holes stay";
+    EXPECT_NEAR(told["spacingEastM"].get<double>() * (told["columns"].get<int>() - 1), 20.0, 1e-6);
+    EXPECT_EQ(told["lowestM"], 5.0);
+}
+
 TEST(MtTool, oneThreadAndFourWriteTheSameBytes)
 {
     const Workplace place;

@@ -88,10 +88,15 @@ void addMtExtract(CLI::App& app, std::filesystem::path& jsonFile, Command& comma
         ->check(terminal::between(0.0, 1e5));
     sub->add_option("--triangles", request->what.mostTriangles, "no more than so many")
         ->check(CLI::Range(2u, 2'000'000'000u));
-    sub->add_option("--region", *region, "west, south, east, north: fine there alone")->expected(4);
+    sub->add_option("--region", *region, "west, south, east, north: fine there alone")
+        ->expected(4)
+        ->delimiter(',');
+    const auto places = std::make_shared<std::string>("plan");
+    sub->add_option("--places", *places, "coordinates in metres of the plan, or those of its georeference")
+        ->check(CLI::IsMember({"plan", "georeference"}));
     sub->add_option("--json", jsonFile, "also write the table to this file");
     sub->callback(
-        [request, region, &command]
+        [request, region, places, &command]
         {
             if (region->size() == 4)
                 request->what.region = {(*region)[0], (*region)[1], (*region)[2], (*region)[3]};
@@ -109,6 +114,7 @@ void addMtFly(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
         ->check(terminal::between(1.0, 1e5));
     sub->add_option("--seconds", request->seconds, "length (60)")->check(terminal::between(1.0, 36000.0));
     sub->add_option("--memory", request->memoryMb, "MB for trees (64)")->check(terminal::between(1.0, 1e7));
+            request->inReference = *places == "georeference";
     sub->add_option("--rate", request->megabytesPerS, "MB/s of the disk (50)")
         ->check(terminal::between(0.0, 1e5));
     sub->add_option("--tolerance", request->tolerancePx, "pixels (2)")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <iostream>
+#include <optional>
 
 #include <foundation/WholeFile.h>
 
@@ -27,11 +28,11 @@ using namespace osgMultiTriangulation::core;
 
 foundation::Result<PlacedSurface> readRasters(const MtBuildRequest& request)
 {
-    const auto field = osgTerrainROAM::core::importDems(request.inputs, request.import);
+    std::optional<osgTerrainROAM::core::GridPlace> place;
+    const auto field = osgTerrainROAM::core::importDems(request.inputs, request.import, place);
     if (!field) return field.error();
     PlacedSurface surface;
-    surface.frame.stepX = field->spacingEastM;
-    surface.frame.stepY = field->spacingNorthM;
+    surface.frame = frameOf(field->spacingEastM, field->spacingNorthM, place);
     surface.mesh = gridSurface(field->columns, field->rows, field->heightsM);
     if (field->mask.hasAll()) return surface;
     std::vector<bool> isThere;
@@ -74,6 +75,16 @@ foundation::Result<PlacedSurface> readUnchecked(const MtBuildRequest& request)
 }
 
 } // namespace
+
+PlanFrame frameOf(double spacingEastM, double spacingNorthM,
+                  const std::optional<osgTerrainROAM::core::GridPlace>& place)
+{
+    PlanFrame frame{0.0, 0.0, spacingEastM, spacingNorthM};
+    if (place)
+        frame.reference =
+            PlanReference{place->system, place->firstX, place->firstY, place->stepX, place->stepY};
+    return frame;
+}
 
 foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request)
 {

@@ -37,7 +37,7 @@ foundation::Result<PlanFrame> spoolRaster(const MtBuildRequest& request, Surface
     grid.finish();
     if (grid.holes() > 0)
         std::cout << grid.holes() << " voids stay holes: to be filled they need the whole raster in memory\n";
-    return PlanFrame{0.0, 0.0, rows->spacingEastM(), rows->spacingNorthM()};
+    return frameOf(rows->spacingEastM(), rows->spacingNorthM(), rows->place());
 }
 
 /// Tells what was done to points, as a build in memory does.

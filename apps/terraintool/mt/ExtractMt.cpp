@@ -17,10 +17,13 @@ foundation::Result<terminal::Report> extractMt(const MtExtractRequest& request)
     if (const auto writable = foundation::checkWritable(request.output); !writable) return writable.error();
     const auto file = MtFile::open(request.file);
     if (!file) return file.error();
+    const PlanFrame& plan = file->info().frame;
+    if (request.inReference && !plan.reference)
+        return foundation::Error{request.file.string(), "has no georeference", "leave --places out"};
     const auto surface = extractFrom(*file, request.what);
     if (!surface) return surface.error();
-    if (const auto written = writeTin(request.output, surface->mesh, file->info().frame); !written)
-        return written.error();
+    const PlanFrame frame = request.inReference ? inReference(plan) : plan;
+    if (const auto written = writeTin(request.output, surface->mesh, frame); !written) return written.error();
     terminal::Report report;
     report.json["files"].push_back({{"file", request.output.string()},
                                     {"points", surface->mesh.points.size()},
@@ -39,6 +42,9 @@ nlohmann::ordered_json describeMt(const MtFile& file)
     const MtInfo& info = file.info();
     const MtEntry& main = info.trees[0];
     const PlanFrame& frame = info.frame;
+    const PlanFrame places = inReference(frame);
+    nlohmann::ordered_json system; // null: no georeference
+    if (frame.reference) system = frame.reference->system.empty() ? "plane" : nameOf(*frame.reference);
     std::uint64_t bytes = 0;
     for (const MtEntry& tree : info.trees)
         bytes += tree.bytes;
@@ -53,10 +59,11 @@ nlohmann::ordered_json describeMt(const MtFile& file)
             {"stepX", frame.stepX},
             {"stepY", frame.stepY},
             {"heightStepM", info.heightStep},
-            {"west", frame.originX + frame.stepX * main.low[0]},
-            {"south", frame.originY + frame.stepY * main.low[1]},
-            {"east", frame.originX + frame.stepX * main.high[0]},
-            {"north", frame.originY + frame.stepY * main.high[1]},
+            {"system", system},
+            {"west", places.originX + places.stepX * main.low[0]},
+            {"south", places.originY + places.stepY * main.low[1]},
+            {"east", places.originX + places.stepX * main.high[0]},
+            {"north", places.originY + places.stepY * main.high[1]},
             {"treeBytes", bytes}};
 }
 

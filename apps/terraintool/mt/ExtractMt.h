@@ -16,6 +16,7 @@ namespace terraintool
 struct MtExtractRequest
 {
     std::filesystem::path file, output;
+    bool inReference = false; ///< coordinates are those of the reference system, not of the plan
     osgMultiTriangulation::core::ExtractRequest what;
 };
 

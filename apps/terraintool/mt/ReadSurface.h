@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <osgMultiTriangulation/core/spool/SurfaceSpool.h>
 #include <osgMultiTriangulation/core/surface/PlanFrame.h>
+#include <osgTerrainROAM/core/heightfield/GridPlace.h>
 
 #include "terraintool/mt/MtRequest.h"
 
@@ -17,6 +19,10 @@ struct PlacedSurface
     osgMultiTriangulation::core::SurfaceMesh mesh;
     osgMultiTriangulation::core::PlanFrame frame;
 };
+
+/// The frame of the lattice of a raster: metres from its south-western sample, and its georeference.
+osgMultiTriangulation::core::PlanFrame frameOf(double spacingEastM, double spacingNorthM,
+                                               const std::optional<osgTerrainROAM::core::GridPlace>& place);
 
 /// Reads the inputs into memory, and checks them.
 foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request);

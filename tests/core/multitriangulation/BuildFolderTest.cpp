@@ -219,6 +219,23 @@ TEST(BuildFolder, theSamePlanChangesNothingAndAnotherReplacesIt)
     EXPECT_NE(joined(jobs), builtAtOnce(folder));
 }
 
+TEST(BuildFolder, jobsKeepThePlaceOfThePlan)
+{
+    const TestFolder folder("mt-jobs");
+    PlanFrame frame{0.0, 0.0, 30.0, 20.0};
+    frame.reference = PlanReference{"PROJCS[\"a b\",\n\t…]", 500000.1, -4.0e6, 30.0, 20.0};
+    auto spool = SurfaceSpool::create(BuildFolder::incoming(folder / "jobs"));
+    ASSERT_TRUE(spool) << spool.error().message();
+    fill(*spool, testsupport::hillSurface(60, 50));
+    ASSERT_TRUE(BuildFolder::plan(*spool, frame, nineRectangles(), 0.0, folder / "jobs"));
+    doAll(folder / "jobs");
+    const std::size_t sum = joined(folder / "jobs");
+    ASSERT_TRUE(
+        buildMtFile(testsupport::hillSurface(60, 50), frame, nineRectangles(), folder / "at-once.mt"));
+    EXPECT_EQ(sum, sumOfFile(folder / "at-once.mt"));
+    EXPECT_NE(sum, builtAtOnce(folder)) << "the control: without a place";
+}
+
 } // namespace
 
 } // namespace osgMultiTriangulation::core

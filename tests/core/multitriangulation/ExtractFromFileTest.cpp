@@ -139,6 +139,46 @@ TEST(ExtractFromFile, aRegionIsFineAndTheRestCoarse)
     EXPECT_LT(part.trees, all.trees);
 }
 
+TEST(ExtractFromFile, aRegionIsInUnitsOfTheReferenceSystem)
+{
+    PlacedHills here;
+    const ExtractRequest inPlan{0.25, 1u << 30, PlanRegion{520.0, -180.0, 650.0, -100.0}}; // 2 … 15, 2 … 10
+    const ExtractedSurface wanted = here.extract(inPlan);
+    here.frame.reference = PlanReference{"GEOGCS[\"WGS 84\"]", -72.0, 44.0, 0.001, 0.002};
+    ForestOptions options;
+    options.treeCount = 8;
+    ASSERT_TRUE(buildMtFile(here.mesh, here.frame, options, here.path));
+    const ExtractRequest inDegrees{0.25, 1u << 30, PlanRegion{-71.998, 44.004, -71.985, 44.02}};
+    EXPECT_EQ(here.extract(inDegrees).mesh.triangles, wanted.mesh.triangles);
+    EXPECT_NE(here.extract(inPlan).mesh.triangles, wanted.mesh.triangles) << "the control: metres";
+}
+
+TEST(ExtractFromFile, filesOfTrianglesTellWhereTheyLie)
+{
+    const PlacedHills here;
+    const SurfaceMesh mesh = here.extractAt(3.0).mesh;
+    EXPECT_TRUE(placeLines(here.frame).empty());
+    PlanFrame frame = here.frame;
+    frame.reference = PlanReference{"GEOGCS[\"WGS 84\",\nX]", -72.0, 44.0, 0.0625, 0.125};
+    // By hand: x = 500 at the first point of the lattice, and 10 a step.
+    EXPECT_EQ(placeLines(frame),
+              (std::vector<std::string>{"reference system: WGS 84",
+                                        "place in it: -75.125 + 0.00625 x, 46.5 + 0.0125 y",
+                                        "GEOGCS[\"WGS 84\", X]"}));
+    for (const char* name : {"t.obj", "t.ply"})
+    {
+        ASSERT_TRUE(writeTin(here.folder / name, mesh, inReference(frame)));
+        EXPECT_NE(testsupport::bytesOf(here.folder / name).find("place in it: 0 + 1 x, 0 + 1 y\n"),
+                  std::string::npos)
+            << name;
+        const auto read = readTinFile(here.folder / name);
+        ASSERT_TRUE(read) << read.error().message();
+        EXPECT_EQ(read->triangles, mesh.triangles);
+        EXPECT_EQ(read->points[0][0], -72.0 + 0.0625 * mesh.points[0].x);
+        EXPECT_EQ(read->points[0][1], 44.0 + 0.125 * mesh.points[0].y);
+    }
+}
+
 TEST(ExtractFromFile, filesOfTrianglesReadBackAlike)
 {
     const PlacedHills here;

@@ -83,6 +83,56 @@ TEST(MtFile, holdsTheForestThatWasBuilt)
     }
 }
 
+/// A plan that lies somewhere in a reference system.
+PlanFrame placedFrame()
+{
+    PlanFrame frame{0.0, 0.0, 30.0, 30.0};
+    frame.reference = PlanReference{"GEOGCS[\"WGS 84\",DATUM[…]]", 7.5, 46.25, 1.0 / 3600.0, 1.0 / 3600.0};
+    return frame;
+}
+
+TEST(MtFile, keepsThePlaceOfThePlanInItsReferenceSystem)
+{
+    const testsupport::TestFolder folder("mt-file");
+    const SurfaceMesh mesh = testsupport::hillSurface(60, 50);
+    ASSERT_TRUE(buildMtFile(mesh, placedFrame(), sevenRectangles(), folder / "placed.mt"));
+    ASSERT_TRUE(buildMtFile(mesh, {0.0, 0.0, 30.0, 30.0}, sevenRectangles(), folder / "plain.mt"));
+    const auto placed = MtFile::open(folder / "placed.mt"), plain = MtFile::open(folder / "plain.mt");
+    ASSERT_TRUE(placed) << placed.error().message();
+    EXPECT_EQ(placed->info().frame, placedFrame());
+    EXPECT_EQ(nameOf(*placed->info().frame.reference), "WGS 84");
+    EXPECT_EQ(placed->version(), 3u);
+    EXPECT_EQ(plain->version(), 2u) << "older programs read what has none";
+    EXPECT_FALSE(plain->info().frame.reference);
+    const WholeRead read = readAll(*placed);
+    EXPECT_TRUE(read.complaints.empty());
+    EXPECT_EQ(read.forest.trees, readAll(*plain).forest.trees);
+}
+
+TEST(MtFile, aDamagedOrCutReferenceSystemIsTold)
+{
+    const testsupport::TestFolder folder("mt-file");
+    const std::filesystem::path file = folder / "placed.mt";
+    ASSERT_TRUE(buildMtFile(testsupport::hillSurface(60, 50), placedFrame(), sevenRectangles(), file));
+    const std::string bytes = testsupport::bytesOf(file);
+    const std::size_t end = MtFile::open(file)->info().trees[0].offset;
+    const std::size_t first = end - 40 - placedFrame().reference->system.size();
+    for (std::size_t at = first; at < end; ++at)
+    {
+        std::string damaged = bytes;
+        damaged[at] ^= 0x40;
+        writeBytes(file, damaged);
+        const auto opened = MtFile::open(file);
+        ASSERT_FALSE(opened) << at;
+        EXPECT_NE(opened.error().message().find("reference system"), std::string::npos)
+            << opened.error().message();
+        writeBytes(file, bytes.substr(0, at));
+        EXPECT_FALSE(MtFile::open(file)) << at;
+    }
+    writeBytes(file, bytes.substr(0, end)); // the control: whole, and no tree behind it
+    EXPECT_TRUE(MtFile::open(file));
+}
+
 TEST(MtFile, aPrefixOfATreeIsATree)
 {
     const testsupport::TestFolder folder("mt-file");
@@ -174,9 +224,9 @@ TEST(MtFile, aFileOfVersion1IsRead)
     ASSERT_TRUE(first->readMore(0, *part, opened->info().trees[0].fragments));
     EXPECT_EQ(part->tree, opened->read(0, nullptr)->tree);
     std::string next = testsupport::bytesOf(file);
-    next[8] = 3;
+    next[8] = 4;
     writeBytes(old, next);
-    EXPECT_NE(MtFile::open(old).error().message().find("is of version 3"), std::string::npos);
+    EXPECT_NE(MtFile::open(old).error().message().find("is of version 4"), std::string::npos);
 }
 
 TEST(MtFile, damageLateInATreeLeavesWhatIsBefore)

@@ -32,6 +32,18 @@ std::uint32_t identityOfCuts(const Partition& partition)
     return mtChecksum(all);
 }
 
+void addFrame(const PlanFrame& frame, std::string& bytes)
+{
+    LittleEndian out(bytes);
+    for (const double value : {frame.originX, frame.originY, frame.stepX, frame.stepY})
+        out.add(value);
+    if (!frame.reference) return;
+    for (const double value :
+         {frame.reference->firstX, frame.reference->firstY, frame.reference->stepX, frame.reference->stepY})
+        out.add(value);
+    bytes += frame.reference->system;
+}
+
 } // namespace
 
 std::uint32_t identityOf(const SurfaceMesh& mesh, const PlanFrame& frame, const Partition& partition)
@@ -51,8 +63,7 @@ std::uint32_t identityOf(const SurfaceMesh& mesh, const PlanFrame& frame, const 
     LittleEndian out(all);
     for (const std::uint32_t sum : {points, sumOf(mesh.triangles), identityOfCuts(partition), kMtVersion})
         out.add(sum);
-    for (const double value : {frame.originX, frame.originY, frame.stepX, frame.stepY})
-        out.add(value);
+    addFrame(frame, all);
     return mtChecksum(all);
 }
 
@@ -63,8 +74,7 @@ std::uint32_t identityOf(const SurfaceSpool& spool, const PlanFrame& frame, cons
     LittleEndian out(all);
     for (const std::uint32_t sum : {spool.sum(), identityOfCuts(partition), kMtVersion})
         out.add(sum);
-    for (const double value : {frame.originX, frame.originY, frame.stepX, frame.stepY})
-        out.add(value);
+    addFrame(frame, all);
     out.add(mostHidden);
     return mtChecksum(all);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -128,6 +129,32 @@ foundation::Outcome MtFile::readDirectory(std::span<const char> header)
         if (t > 0) _children[entry.parent].push_back(t);
         _info.trees.push_back(entry);
     }
+    return _version < kMtVersion ? foundation::success() : readReference(stream);
+}
+
+/// Reads where the plan lies, which stands behind the directory.
+foundation::Outcome MtFile::readReference(std::istream& stream)
+{
+    std::string bytes(kMtReferenceBytes - 4, '\0');
+    std::uint32_t length = 0, sum = 0;
+    const auto read = [&](std::size_t from)
+    { return bool(stream.read(bytes.data() + from, static_cast<std::streamsize>(bytes.size() - from))); };
+    if (!read(0)) return failure("ends within its reference system");
+    PlanReference at;
+    LittleEndianReader fields(bytes.data());
+    fields.take(length);
+    for (double* value : {&at.firstX, &at.firstY, &at.stepX, &at.stepY})
+        fields.take(*value);
+    if (length > kMostMtReferenceText) return failure("has a damaged reference system");
+    bytes.resize(kMtReferenceBytes + length);
+    if (!read(kMtReferenceBytes - 4)) return failure("ends within its reference system");
+    LittleEndianReader(bytes.data() + bytes.size() - 4).take(sum);
+    bytes.resize(bytes.size() - 4);
+    const bool isPlace = std::isfinite(at.firstX) && std::isfinite(at.firstY) && at.stepX > 0.0 &&
+                         at.stepY > 0.0 && std::isfinite(at.stepX) && std::isfinite(at.stepY);
+    if (sum != mtChecksum(bytes) || !isPlace) return failure("has a damaged reference system");
+    at.system = bytes.substr(kMtReferenceBytes - 4);
+    _info.frame.reference = std::move(at);
     return foundation::success();
 }
 

@@ -14,7 +14,9 @@ namespace osgMultiTriangulation::core
 {
 
 constexpr char kMtMagic[8] = {'o', 's', 'g', 'M', 'T', '\r', '\n', '\x1a'};
-constexpr std::uint32_t kMtVersion = 2, kMtOldestVersion = 1; // 1: trees have no sections
+constexpr std::uint32_t kMtVersion = 3, kMtOldestVersion = 1; // 1: trees have no sections
+constexpr std::uint32_t kMtVersionWithoutReference = 2;
+constexpr std::size_t kMtReferenceBytes = 40, kMostMtReferenceText = 1 << 16; // without and of its text
 constexpr std::size_t kMtHeaderBytes = 80, kMtEntryBytes = 56;
 
 /// Appends numbers, the lowest byte first.

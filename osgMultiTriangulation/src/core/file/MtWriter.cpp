@@ -19,7 +19,7 @@ std::string headerOf(const MtInfo& info, std::span<const MtEntry> entries, const
 {
     std::string header(kMtMagic, sizeof kMtMagic);
     LittleEndian out(header);
-    out.add(kMtVersion);
+    out.add(info.frame.reference ? kMtVersion : kMtVersionWithoutReference);
     out.add(static_cast<std::uint32_t>(entries.size()));
     for (const double value :
          {info.frame.originX, info.frame.originY, info.frame.stepX, info.frame.stepY, info.heightStep})
@@ -29,6 +29,21 @@ std::string headerOf(const MtInfo& info, std::span<const MtEntry> entries, const
     out.add(mtChecksum(directory));
     out.add(mtChecksum(header));
     return header;
+}
+
+/// Returns the place of the plan in a reference system as bytes; none where there is none.
+std::string referenceBlock(const PlanFrame& frame)
+{
+    if (!frame.reference) return {};
+    const PlanReference& at = *frame.reference;
+    std::string bytes;
+    LittleEndian out(bytes);
+    out.add(static_cast<std::uint32_t>(at.system.size()));
+    for (const double value : {at.firstX, at.firstY, at.stepX, at.stepY})
+        out.add(value);
+    bytes += at.system;
+    out.add(mtChecksum(bytes));
+    return bytes;
 }
 
 } // namespace
@@ -66,7 +81,8 @@ writeMtFile(const std::filesystem::path& path, MtInfo info, std::vector<MtEntry>
 {
     std::string directory;
     LittleEndian out(directory);
-    std::uint64_t offset = kMtHeaderBytes + entries.size() * kMtEntryBytes;
+    const std::string reference = referenceBlock(info.frame);
+    std::uint64_t offset = kMtHeaderBytes + entries.size() * kMtEntryBytes + reference.size();
     for (MtEntry& entry : entries)
     {
         entry.offset = offset;
@@ -78,7 +94,7 @@ writeMtFile(const std::filesystem::path& path, MtInfo info, std::vector<MtEntry>
     errno = 0;
     std::ofstream stream(file.written(), std::ios::binary);
     if (!stream) return file.failure("cannot be created", reason());
-    stream << headerOf(info, entries, directory) << directory;
+    stream << headerOf(info, entries, directory) << directory << reference;
     for (std::uint32_t t = 0; t < entries.size(); ++t)
     {
         const auto bytes = bytesOf(t);

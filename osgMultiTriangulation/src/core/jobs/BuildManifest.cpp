@@ -15,7 +15,7 @@ namespace osgMultiTriangulation::core
 namespace
 {
 
-constexpr const char* kFirstLine = "osgMT jobs 1";
+constexpr const char* kFirstLine = "osgMT jobs 2";
 constexpr std::uint32_t kMostJobs = 1u << 24;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 31;
 
@@ -75,6 +75,37 @@ private:
     std::istringstream _words;
     bool _isWhole = true;
 };
+
+/// Adds the place of the plan in a reference system, whose text may have anything in it, as numbers of bytes.
+void addReference(ManifestWriter& out, const PlanFrame& frame)
+{
+    out.add("references");
+    out.add(std::uint64_t{frame.reference ? 1u : 0u});
+    if (frame.reference)
+    {
+        const PlanReference& at = *frame.reference;
+        for (const double value : {at.firstX, at.firstY, at.stepX, at.stepY})
+            out.add(value);
+        out.add(std::uint64_t{at.system.size()});
+        for (const char letter : at.system)
+            out.add(std::uint64_t{static_cast<unsigned char>(letter)});
+    }
+    out.endLine();
+}
+
+void takeReference(ManifestReader& in, PlanFrame& frame)
+{
+    in.expect("references");
+    if (in.take<std::uint32_t>() == 0) return;
+    PlanReference at;
+    for (double* value : {&at.firstX, &at.firstY, &at.stepX, &at.stepY})
+        *value = in.take<double>();
+    const auto length = in.take<std::uint32_t>();
+    if (length > kMostMtReferenceText) return in.fail();
+    for (std::uint32_t i = 0; i < length && in.isWhole(); ++i)
+        at.system += static_cast<char>(in.take<std::uint8_t>());
+    frame.reference = std::move(at);
+}
 
 void addJob(ManifestWriter& out, const BuildManifest& manifest, const JobOrder& order, std::uint32_t job)
 {
@@ -162,6 +193,7 @@ std::string textOf(const BuildManifest& manifest)
     out.add(manifest.mostHidden);
     out.add(std::uint64_t{manifest.identity});
     out.endLine();
+    addReference(out, manifest.frame);
     const JobOrder order = jobOrder(manifest.partition);
     out.add("jobs");
     out.add(std::uint64_t{order.partOf.size()});
@@ -181,7 +213,7 @@ foundation::Result<BuildManifest> readManifest(const std::filesystem::path& file
     if (!read) return read.error();
     ManifestReader in(*read);
     BuildManifest manifest;
-    for (const char* word : {"osgMT", "jobs", "1", "surface"})
+    for (const char* word : {"osgMT", "jobs", "2", "surface"})
         in.expect(word);
     manifest.points = in.take<std::uint64_t>();
     manifest.triangles = in.take<std::uint64_t>();
@@ -190,6 +222,7 @@ foundation::Result<BuildManifest> readManifest(const std::filesystem::path& file
         *value = in.take<double>();
     manifest.mostHidden = in.take<std::uint64_t>();
     manifest.identity = in.take<std::uint32_t>();
+    takeReference(in, manifest.frame);
     in.expect("jobs");
     takeJobs(in, manifest);
     if (in.isWhole() && textOf(manifest) == *read) return manifest; // with the sum

@@ -36,8 +36,9 @@ struct LatticeRegion
 LatticeRegion onLattice(const std::optional<PlanRegion>& region, const PlanFrame& frame)
 {
     if (!region) return {};
-    return {{(region->west - frame.originX) / frame.stepX, (region->south - frame.originY) / frame.stepY},
-            {(region->east - frame.originX) / frame.stepX, (region->north - frame.originY) / frame.stepY}};
+    const PlanFrame units = inReference(frame);
+    return {{(region->west - units.originX) / units.stepX, (region->south - units.originY) / units.stepY},
+            {(region->east - units.originX) / units.stepX, (region->north - units.originY) / units.stepY}};
 }
 
 /// A triangle is too coarse when it meets the region and has more than an error.

@@ -9,12 +9,14 @@
 
 #include <osgTerrainROAM/core/heightfield/DemCheck.h>
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/heightfield/GridPlace.h>
 
 #include "DemMosaic.h"
 #include "HoleFill.h"
 #include "MosaicSource.h"
 #include "PlaceField.h"
 #include "RasterFile.h"
+#include "TriangulatedRaster.h"
 #include "VoidFill.h"
 
 namespace osgTerrainROAM::core
@@ -54,14 +56,25 @@ SampleMask finiteSamples(const HeightField& field)
     return all ? SampleMask() : SampleMask(isThere, field.columns, field.rows);
 }
 
+/// Errors: a multi-triangulation among others.
+Outcome checkAlone(const std::filesystem::path& file, std::size_t files)
+{
+    if (files == 1 || !isTriangulation(file)) return foundation::success();
+    return Error{file.string(), "is a multi-triangulation, which cannot be joined with others",
+                 "join its inputs before, with terraintool mt-build"};
+}
+
 std::string namesOf(std::span<const std::filesystem::path> files)
 {
     return files.front().string() +
            (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "");
 }
 
-Result<HeightField> import(std::span<const std::filesystem::path> files, const DemImportOptions& options)
+Result<HeightField> import(std::span<const std::filesystem::path> files, const DemImportOptions& options,
+                           std::optional<GridPlace>& place)
 {
+    for (const std::filesystem::path& file : files)
+        if (const Outcome alone = checkAlone(file, files.size()); !alone) return alone.error();
     GdalSession gdal;
     HeightField field;
     Result<Raster> raster =
@@ -72,6 +85,7 @@ Result<HeightField> import(std::span<const std::filesystem::path> files, const D
     field.columns = raster->columns;
     field.rows = raster->rows;
     if (const Outcome placed = placeField(field, *raster, options, gdal); !placed) return placed.error();
+    place = placeOf(*raster);
 
     field.heightsM = std::move(raster->heightsM);
     field.parts = std::move(raster->parts);
@@ -97,6 +111,7 @@ Outcome checkDems(std::span<const std::filesystem::path> files, const DemImportO
     GdalSession gdal;
     for (const std::filesystem::path& file : files)
     {
+        if (const Outcome alone = checkAlone(file, files.size()); !alone) return alone;
         Result<Raster> head = readHead(file, gdal);
         if (!head) return head.error();
         HeightField field;
@@ -117,9 +132,16 @@ Result<HeightField> importDem(const std::filesystem::path& file, const DemImport
 
 Result<HeightField> importDems(std::span<const std::filesystem::path> files, const DemImportOptions& options)
 {
+    std::optional<GridPlace> place;
+    return importDems(files, options, place);
+}
+
+Result<HeightField> importDems(std::span<const std::filesystem::path> files, const DemImportOptions& options,
+                               std::optional<GridPlace>& place)
+{
     try
     {
-        return import(files, options);
+        return import(files, options, place);
     }
     catch (const std::bad_alloc&)
     {

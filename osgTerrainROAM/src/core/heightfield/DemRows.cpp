@@ -29,7 +29,8 @@ struct DemRows::State
     RasterSource source;
     RasterTurn turn;
     HeightField field; ///< without heights
-    int firstRow = 0;  ///< of the rows in memory, in file order
+    std::optional<GridPlace> place;
+    int firstRow = 0; ///< of the rows in memory, in file order
     int rowsAtOnce = 1;
     std::vector<double> window;
     std::optional<SampleDecoder> decoder;
@@ -64,6 +65,7 @@ foundation::Result<DemRows> DemRows::open(const std::filesystem::path& file, con
     state->field.rows = raster.rows;
     if (const auto placed = placeField(state->field, raster, options, state->gdal); !placed)
         return placed.error();
+    state->place = placeOf(raster);
     state->decoder.emplace(state->source, state->gdal);
     int blockColumns = 0, blockRows = 0;
     GDALGetBlockSize(state->source.band(), &blockColumns, &blockRows);
@@ -89,6 +91,11 @@ double DemRows::spacingEastM() const
 double DemRows::spacingNorthM() const
 {
     return _state->field.spacingNorthM;
+}
+
+const std::optional<GridPlace>& DemRows::place() const
+{
+    return _state->place;
 }
 
 /// Reads the rows around one, by whole blocks of the file where they fit.

@@ -43,4 +43,14 @@ Outcome placeField(HeightField& field, Raster& raster, const DemImportOptions& o
     return georeference(field, *locator);
 }
 
+std::optional<GridPlace> placeOf(const Raster& raster)
+{
+    if (!raster.frame) return std::nullopt;
+    const GridFrame& at = *raster.frame;
+    const std::optional<double> metres = metresOfPlane(raster.crsWkt);
+    const double unit = metres.value_or(1.0);
+    return GridPlace{metres ? std::string() : raster.crsWkt, at.firstX * unit, at.firstY * unit,
+                     at.stepX * unit, at.stepY * unit};
+}
+
 } // namespace osgTerrainROAM::core

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include <foundation/Result.h>
 
-#include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/heightfield/GridPlace.h>
 
 #include "GdalSession.h"
 #include "RasterFile.h"
@@ -16,5 +18,8 @@ namespace osgTerrainROAM::core
 /// Errors: no georeference and no spacing; a georeference that cannot be used.
 foundation::Outcome placeField(HeightField& field, Raster& raster, const DemImportOptions& options,
                                GdalSession& gdal);
+
+/// Where the samples of a raster that placeField() has looked at lie; nothing without a georeference.
+std::optional<GridPlace> placeOf(const Raster& raster);
 
 } // namespace osgTerrainROAM::core

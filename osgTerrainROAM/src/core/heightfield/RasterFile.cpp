@@ -10,6 +10,7 @@
 #include "RasterOrientation.h"
 #include "RasterSource.h"
 #include "SampleDecoder.h"
+#include "TriangulatedRaster.h"
 
 namespace osgTerrainROAM::core
 {
@@ -80,6 +81,7 @@ Raster sizeOf(const RasterSource& source)
 
 Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal)
 {
+    if (isTriangulation(file)) return readTriangulation(file, gdal);
     const Result<RasterSource> source = openHeights(file, gdal);
     if (!source) return source.error();
     Raster raster = sizeOf(*source);
@@ -93,6 +95,7 @@ Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal)
 
 Result<Raster> readHead(const std::filesystem::path& file, GdalSession& gdal)
 {
+    if (isTriangulation(file)) return readTriangulationHead(file);
     const Result<RasterSource> source = openHeights(file, gdal);
     if (!source) return source.error();
     Raster raster = sizeOf(*source);

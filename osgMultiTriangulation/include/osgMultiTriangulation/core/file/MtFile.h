@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <limits>
 #include <span>
 #include <string>
@@ -60,6 +61,7 @@ public:
 private:
     foundation::Error failure(const std::string& what) const;
     foundation::Outcome readDirectory(std::span<const char> header);
+    foundation::Outcome readReference(std::istream& stream);
     foundation::Result<std::vector<std::byte>> bytesAt(std::uint32_t tree, std::uint64_t offset,
                                                        std::size_t count) const;
     foundation::Result<std::vector<TreeSection>> sectionsOf(std::uint32_t tree) const;

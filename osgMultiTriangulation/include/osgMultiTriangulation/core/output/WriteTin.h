@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <foundation/Result.h>
 
@@ -12,8 +13,13 @@
 namespace osgMultiTriangulation::core
 {
 
-/// Returns a surface as the text of a Wavefront OBJ file: vertices (x east, y north, z up, in the units of
-/// the plan) and triangles. Numbers are as short as they can be and read back alike.
+/// Returns what a file of triangles says of the place of its coordinates, a line each: the reference system,
+/// how places in it follow, its well-known text. Empty where the frame has no reference.
+std::vector<std::string> placeLines(const PlanFrame& frame);
+
+/// Returns a surface as the text of a Wavefront OBJ file: placeLines() as comments; vertices (x east, y
+/// north, z up, in the units of the plan) and triangles. Numbers are as short as they can be and read back
+/// alike.
 std::string objOf(const SurfaceMesh& mesh, const PlanFrame& frame);
 
 /// Returns the same as a PLY file, binary, the lowest byte first: vertices as f64, faces as lists of i32.

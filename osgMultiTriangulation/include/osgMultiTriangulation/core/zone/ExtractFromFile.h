@@ -14,7 +14,7 @@
 namespace osgMultiTriangulation::core
 {
 
-/// A rectangle of the plan, in its units.
+/// A rectangle of the plan, in units of its reference; without one in those of the plan.
 struct PlanRegion
 {
     double west = 0.0, south = 0.0, east = 0.0, north = 0.0;

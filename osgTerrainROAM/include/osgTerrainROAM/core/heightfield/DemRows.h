@@ -3,11 +3,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <foundation/Result.h>
 
-#include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/heightfield/GridPlace.h>
 
 namespace osgTerrainROAM::core
 {
@@ -30,6 +31,7 @@ public:
     int rows() const;
     double spacingEastM() const;
     double spacingNorthM() const;
+    const std::optional<GridPlace>& place() const; ///< absent: no georeference
 
     /// Reads a row into heightsM, metres, voids NaN. `row`: 0 is the southernmost. Rows one after the other
     /// are cheapest.
