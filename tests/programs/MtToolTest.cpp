@@ -139,6 +139,25 @@ TEST(MtTool, aSurfaceWithoutGeoreferenceIsAPlaneInMetres)
     EXPECT_EQ(told["lowestM"], 5.0);
 }
 
+TEST(MtTool, cellsOfRastersAreCutByARule)
+{
+    const Workplace place;
+    const auto built = [&](const std::string& output, const std::string& rule)
+    {
+        std::vector<std::string> words = building(place, output);
+        words.insert(words.end(), {"--quad-diagonal", rule});
+        EXPECT_TRUE(succeeds(runTerrainTool(words)));
+        return hashOf(place.path(output));
+    };
+    ASSERT_TRUE(succeeds(runTerrainTool(building(place, "hill.mt"))));
+    EXPECT_EQ(built("heights.mt", "heights"), hashOf(place.path("hill.mt")));
+    EXPECT_NE(built("difference.mt", "height-difference"), hashOf(place.path("hill.mt")));
+    place.write("points.xyz", "0 0 1\n9 0 2\n0 9 3\n9 9 4\n");
+    EXPECT_TRUE(failsWith(runTerrainTool({"mt-build", place.path("points.xyz"), "-o", place.path("p.mt"),
+                                          "--quad-diagonal", "areas"}),
+                          1, "terraintool", {"points.xyz", "--quad-diagonal"}));
+}
+
 TEST(MtTool, oneThreadAndFourWriteTheSameBytes)
 {
     const Workplace place;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terraintool/mt/AddMtCommands.h"
 
+#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <foundation/Threads.h>
 
@@ -13,6 +16,14 @@ namespace terraintool
 
 namespace
 {
+
+using osgPMObjects::core::DiagonalRule;
+
+const std::map<std::string, DiagonalRule> kDiagonals{
+    {"heights", DiagonalRule::nearestHeights},
+    {"height-difference", DiagonalRule::largestHeightDifference},
+    {"angle", DiagonalRule::largestNormalAngle},
+    {"areas", DiagonalRule::nearestAreas}};
 
 /// Declares what a build is made of: inputs, memory, rectangles.
 void addSurfaceOptions(CLI::App& app, MtBuildRequest& request)
@@ -27,6 +38,11 @@ void addSurfaceOptions(CLI::App& app, MtBuildRequest& request)
         "halve rectangles at the median");
     app.add_option("--spacing", request.import.spacingM, "metres between samples without georeference")
         ->check(terminal::between(0.001, 1e5));
+    app.add_option("--quad-diagonal", request.diagonal,
+                   "diagonal along which cells of rasters are cut: between corners of the nearest heights "
+                   "(heights), or of the most different; angle: largest angle between the triangles; areas: "
+                   "most similar areas")
+        ->transform(terminal::named(kDiagonals));
 }
 
 } // namespace
@@ -98,6 +114,7 @@ void addMtExtract(CLI::App& app, std::filesystem::path& jsonFile, Command& comma
     sub->callback(
         [request, region, places, &command]
         {
+            request->inReference = *places == "georeference";
             if (region->size() == 4)
                 request->what.region = {(*region)[0], (*region)[1], (*region)[2], (*region)[3]};
             command = [request](const Request&) { return extractMt(*request); };
@@ -114,7 +131,6 @@ void addMtFly(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
         ->check(terminal::between(1.0, 1e5));
     sub->add_option("--seconds", request->seconds, "length (60)")->check(terminal::between(1.0, 36000.0));
     sub->add_option("--memory", request->memoryMb, "MB for trees (64)")->check(terminal::between(1.0, 1e7));
-            request->inReference = *places == "georeference";
     sub->add_option("--rate", request->megabytesPerS, "MB/s of the disk (50)")
         ->check(terminal::between(0.0, 1e5));
     sub->add_option("--tolerance", request->tolerancePx, "pixels (2)")

@@ -33,7 +33,8 @@ foundation::Result<PlacedSurface> readRasters(const MtBuildRequest& request)
     if (!field) return field.error();
     PlacedSurface surface;
     surface.frame = frameOf(field->spacingEastM, field->spacingNorthM, place);
-    surface.mesh = gridSurface(field->columns, field->rows, field->heightsM);
+    surface.mesh = gridSurface(field->columns, field->rows, field->heightsM,
+                               cutOf(request, field->spacingEastM, field->spacingNorthM));
     if (field->mask.hasAll()) return surface;
     std::vector<bool> isThere;
     for (int row = 0; row < field->rows; ++row)
@@ -86,6 +87,13 @@ PlanFrame frameOf(double spacingEastM, double spacingNorthM,
     return frame;
 }
 
+CellCut cutOf(const MtBuildRequest& request, double spacingEastM, double spacingNorthM)
+{
+    CellCut cut{.stepX = spacingEastM, .stepY = spacingNorthM};
+    cut.rule = request.diagonal.value_or(cut.rule);
+    return cut;
+}
+
 foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request)
 {
     auto surface = readUnchecked(request);
@@ -116,6 +124,9 @@ foundation::Outcome checkInputs(const MtBuildRequest& request)
         if (isPointFile(input) != arePoints || isTinFile(input) != areTriangles)
             return foundation::Error{input.string(), "stands among inputs of another kind",
                                      "give rasters, files of points, or one file of triangles"};
+    if (request.diagonal && (areTriangles || arePoints))
+        return foundation::Error{request.inputs[0].string(), "has no cells that --quad-diagonal could cut",
+                                 "leave the option out, or give rasters"};
     if (!areTriangles && !arePoints) return osgTerrainROAM::core::checkDems(request.inputs, request.import);
     return terminal::checkPlaces({{}, {}, request.inputs});
 }

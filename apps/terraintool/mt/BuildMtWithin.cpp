@@ -27,7 +27,7 @@ foundation::Result<PlanFrame> spoolRaster(const MtBuildRequest& request, Surface
                                  "join the rasters with gdalbuildvrt, and give the .vrt file"};
     auto rows = osgTerrainROAM::core::DemRows::open(request.inputs[0], request.import);
     if (!rows) return rows.error();
-    GridSpool grid(spool, rows->columns());
+    GridSpool grid(spool, rows->columns(), cutOf(request, rows->spacingEastM(), rows->spacingNorthM()));
     std::vector<float> heights(static_cast<std::size_t>(rows->columns()));
     for (int row = 0; row < rows->rows(); ++row)
     {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <osgMultiTriangulation/core/file/MtInfo.h>
 #include <osgMultiTriangulation/core/split/BuildForest.h>
+#include <osgPMObjects/core/tessellate/QuadDiagonal.h>
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include "terminal/Report.h"
@@ -21,7 +23,8 @@ struct MtBuildRequest
     std::filesystem::path output;
     osgTerrainROAM::core::DemImportOptions import;
     osgMultiTriangulation::core::ForestOptions options;
-    double memoryMb = 0.0; ///< 0: no limit
+    double memoryMb = 0.0;                                      ///< 0: no limit
+    std::optional<osgPMObjects::core::DiagonalRule> diagonal{}; ///< of the cells of rasters; absent: heights
 };
 
 /// What the command lines of mt-job and mt-join ask for.

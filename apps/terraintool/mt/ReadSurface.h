@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <osgMultiTriangulation/core/spool/SurfaceSpool.h>
+#include <osgMultiTriangulation/core/surface/GridSurface.h>
 #include <osgMultiTriangulation/core/surface/PlanFrame.h>
 #include <osgTerrainROAM/core/heightfield/GridPlace.h>
 
@@ -23,6 +24,10 @@ struct PlacedSurface
 /// The frame of the lattice of a raster: metres from its south-western sample, and its georeference.
 osgMultiTriangulation::core::PlanFrame frameOf(double spacingEastM, double spacingNorthM,
                                                const std::optional<osgTerrainROAM::core::GridPlace>& place);
+
+/// How the cells of a raster are cut.
+osgMultiTriangulation::core::CellCut cutOf(const MtBuildRequest& request, double spacingEastM,
+                                           double spacingNorthM);
 
 /// Reads the inputs into memory, and checks them.
 foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request);
