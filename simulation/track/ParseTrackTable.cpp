@@ -10,6 +10,7 @@
 #include <foundation/Utf8.h>
 
 #include "simulation/track/CellNumber.h"
+#include "simulation/track/ClockColumn.h"
 #include "simulation/track/CoordinateText.h"
 #include "simulation/track/ReadTrack.h"
 #include "simulation/track/TableColumns.h"
@@ -51,7 +52,14 @@ class TableReader
 public:
     /// `names`: of the columns.
     TableReader(const std::string& name, const TableColumns& columns, std::vector<std::string> names)
-        : _name(name), _columns(columns), _names(std::move(names)), _motion(_names), _builder(name)
+        : _name(name),
+          _columns(columns),
+          _names(std::move(names)),
+          _motion(_names),
+          _clock(columns.time >= 0 ? std::string_view(_names[static_cast<std::size_t>(columns.time)])
+                                   : std::string_view(),
+                 columns.date >= 0),
+          _builder(name)
     {
     }
 
@@ -89,6 +97,7 @@ public:
         {
             _fixes.push_back({*time, *latitude.degrees, *longitude.degrees, height, line});
             _motion.take(cells, _isDecimalComma, _fixes.back());
+            _clock.take(cell(_columns.time), dayOf(cell(_columns.date)));
             _ids.emplace_back();
             for (const int column : _columns.ids)
                 _ids.back().emplace_back(trimmed(cell(column)));
@@ -97,6 +106,7 @@ public:
 
     foundation::Result<TrackReading> finish()
     {
+        if (_columns.time >= 0 && _columns.timeUnitS == 1.0 && !_fixes.empty()) setClocks();
         const auto by = partingId(_ids);
         if (!by)
             addTrack(_name, _fixes);
@@ -106,6 +116,18 @@ public:
     }
 
 private:
+    /// Takes numbers such as 101530 as times of the day, or tells why not.
+    void setClocks()
+    {
+        if (_clock.set(_fixes))
+            _areTimesOfDay = true;
+        else if (const std::string doubt = _clock.doubt(); !doubt.empty())
+            _builder.note(1, doubt);
+        if (_areTimesOfDay && !_strangeDate.empty())
+            _builder.note(1, "the date " + _strangeDate +
+                                 " cannot be read; write it as 2026-04-17, or the hour of the sun is off");
+    }
+
     void addTrack(const std::string& name, std::vector<TrackFix>& fixes)
     {
         FlightTrack& track = _builder.begin(name, _columns.datum);
@@ -176,16 +198,26 @@ private:
         if (const auto seconds = secondsOfDay(cell))
         {
             _areTimesOfDay = true;
-            return unixSecondsOfDate(date, _columns.isDayFirst).value_or(0.0) + *seconds;
+            return dayOf(date) + *seconds;
         }
         return unixSeconds(cell, _columns.isDayFirst);
+    }
+
+    /// Seconds since 1970 at which a day begins; 0 where no date is given that can be read.
+    double dayOf(std::string_view date)
+    {
+        const auto day = unixSecondsOfDate(date, _columns.isDayFirst);
+        if (!day && _strangeDate.empty()) _strangeDate = trimmed(date);
+        return day.value_or(0.0);
     }
 
     const std::string& _name;
     const TableColumns& _columns;
     std::vector<std::string> _names;
     TableMotion _motion;
+    ClockColumn _clock;
     TrackBuilder _builder;
+    std::string _strangeDate; ///< the first that cannot be read
     std::vector<TrackFix> _fixes;
     std::vector<RowIds> _ids; ///< of each fix
     bool _isDecimalComma = false, _areTimesOfDay = false;

@@ -136,7 +136,8 @@ TableColumns columnsOf(const std::vector<std::string>& cells)
         const int column = columnOf(names, wanted);
         return column >= 0 ? column : columnOf(english, wanted);
     };
-    columns.time = find({"time", "timestamp", "t", "datetime", "utc", "ms", "millis", "milliseconds"});
+    columns.time = find({"time", "timestamp", "t", "datetime", "utc", "hhmmss", "hms", "tod", "ms", "millis",
+                         "milliseconds"});
     columns.latitude = find({"latitude", "lat"});
     columns.longitude = find({"longitude", "lon", "lng", "long"});
     if (columns.latitude >= 0)

@@ -37,10 +37,14 @@ bool isNumber(std::string_view text)
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// A date as year-month-day; empty: it is none. Of 13/04/2026 the first is the day, of 03/04/2026 the month,
-/// unless `isDayFirst`.
+/// A date as year-month-day, also of 20260417; empty: it is none. Of 13/04/2026 the first is the day, of
+/// 03/04/2026 the month, unless `isDayFirst`.
 std::string isoDate(std::string_view text, bool isDayFirst)
 {
+    constexpr std::size_t kDigitsAlone = 8; // 20260417
+    if (text.size() == kDigitsAlone && isNumber(text) && (text.starts_with("19") || text.starts_with("20")))
+        return std::string(text.substr(0, 4)) + "-" + std::string(text.substr(4, 2)) + "-" +
+               std::string(text.substr(6));
     const std::vector<std::string_view> parts = partsOf(text, "-/.");
     if (parts.size() != 3 || !std::all_of(parts.begin(), parts.end(), isNumber)) return {};
     std::string_view year = parts[0], month = parts[1], day = parts[2];
