@@ -70,7 +70,6 @@ public:
             else if (*value)
                 shape.tags.emplace(name, value);
         }
-        tagsOfClass(shape);
         if (const OGRGeometry* geometry = feature.GetGeometryRef())
             add(*std::unique_ptr<OGRGeometry>(geometry->getLinearGeometry()), shape, toWgs84, 0);
         else
@@ -131,6 +130,7 @@ private:
 
     void keep(LandShape shape, OGRCoordinateTransformation* toWgs84, std::size_t least)
     {
+        tagsOfClass(shape);
         const bool isWhole = !shape.paths.empty() && shape.paths.front().size() >= least;
         std::erase_if(shape.paths, [=](const auto& path) { return path.size() < least; });
         bool isUsable = isWhole, isInside = false;
@@ -265,7 +265,9 @@ void tagsOfClass(LandShape& shape)
     const auto set = [&](const char* key, std::string value)
     { shape.tags.insert_or_assign(key, std::move(value)); };
     const std::string type(valueOf(shape.tags, "type"));
-    if (word == "building")
+    if (shape.form == ShapeForm::line && !valueOf(shape.tags, "oneway").empty()) // residential, too
+        set("highway", word.starts_with("track") ? "track" : word);
+    else if (word == "building")
         set("building", type.empty() ? "yes" : type);
     else if (isOneOf(word, {"river", "stream", "canal", "drain"}) && shape.form == ShapeForm::line)
         set("waterway", word);
@@ -283,8 +285,6 @@ void tagsOfClass(LandShape& shape)
         set("natural", word);
     else if (isOneOf(word, {"park", "recreation_ground", "nature_reserve", "pitch"}))
         set("leisure", word);
-    else if (shape.form == ShapeForm::line && !valueOf(shape.tags, "oneway").empty())
-        set("highway", word.starts_with("track") ? "track" : word);
     for (const char* key : {"bridge", "tunnel"})
         if (const auto value = valueOf(shape.tags, key); value == "T" || value == "F")
             set(key, value == "T" ? "yes" : "no");

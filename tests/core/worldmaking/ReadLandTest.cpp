@@ -79,9 +79,43 @@ TEST(ReadLand, GeofabriksClassesAreTags)
     EXPECT_EQ(valueOf(street, "oneway"), "yes");
     EXPECT_EQ(valueOf(street, "bridge"), "yes");
     EXPECT_EQ(valueOf(street, "tunnel"), "no");
+    EXPECT_EQ(valueOf(tagged(ShapeForm::line, {{"fclass", "residential"}, {"oneway", "B"}}), "highway"),
+              "residential");
+    EXPECT_EQ(valueOf(tagged(ShapeForm::area, {{"fclass", "residential"}}), "landuse"), "residential");
     EXPECT_EQ(valueOf(tagged(ShapeForm::area, {{"fclass", "forest"}}), "landuse"), "forest");
     EXPECT_EQ(valueOf(tagged(ShapeForm::area, {{"fclass", "reservoir"}}), "natural"), "water");
     EXPECT_EQ(valueOf(tagged(ShapeForm::line, {{"fclass", "stream"}}), "waterway"), "stream");
+}
+
+// The form of a shape is known by its geometry alone: streets, and above all residential ones, were none.
+TEST(ReadLand, GeofabriksLinesAreStreetsAndStreams)
+{
+    const auto feature = [](const char* properties, const char* geometry)
+    {
+        return std::string(R"({"type": "Feature", "properties": )") + properties + R"(, "geometry": )" +
+               geometry + "}";
+    };
+    const char* const line = R"({"type": "LineString", "coordinates": [[1.5, 42.5], [1.51, 42.51]]})";
+    const std::string text =
+        R"({"type": "FeatureCollection", "features": [)" +
+        feature(R"({"fclass": "residential", "oneway": "B", "maxspeed": 30})", line) + "," +
+        feature(R"({"fclass": "secondary", "oneway": "F", "bridge": "T"})", line) + "," +
+        feature(R"({"fclass": "stream", "width": 0})", line) + "," +
+        feature(
+            R"({"fclass": "residential"})",
+            R"({"type": "Polygon", "coordinates": [[[1.5, 42.5], [1.51, 42.5], [1.51, 42.51], [1.5, 42.5]]]})") +
+        "]}";
+    const TestFolder folder("land");
+    const auto read = readLand(folder.write("roads.geojson", text));
+    ASSERT_TRUE(read) << read.error().message();
+    const StreetMap streets = streetsOf(*read);
+    ASSERT_EQ(streets.ways.size(), 2U);
+    EXPECT_EQ(valueOf(streets.ways[0].tags, "highway"), "residential");
+    EXPECT_EQ(valueOf(streets.ways[0].tags, "oneway"), "no");
+    EXPECT_EQ(valueOf(streets.ways[1].tags, "oneway"), "yes");
+    ASSERT_EQ(read->shapes.size(), 4U);
+    EXPECT_EQ(valueOf(read->shapes[2].tags, "waterway"), "stream");
+    EXPECT_EQ(valueOf(read->shapes[3].tags, "landuse"), "residential");
 }
 
 TEST(ReadLand, SaysWhatIsWrong)
