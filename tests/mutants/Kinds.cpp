@@ -4,7 +4,7 @@
 std::vector<InputKind> inputKinds(const MutantFolders& folders)
 {
     std::vector<InputKind> kinds;
-    for (const auto make : {worldKinds, rideKinds, modelKinds, triangulationKinds})
+    for (const auto make : {worldKinds, rideKinds, modelKinds, triangulationKinds, formatKinds})
         for (InputKind& kind : make(folders))
             kinds.push_back(std::move(kind));
     return kinds;

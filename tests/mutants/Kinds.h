@@ -57,5 +57,8 @@ std::vector<InputKind> triangulationKinds(const MutantFolders& folders);
 /// What moves: scenarios, vehicles, recorded flights, inputs, orders, keys and devices.
 std::vector<InputKind> rideKinds(const MutantFolders& folders);
 
+/// Maps and rasters in formats of others, and the files of a world, of which some are made by the programs.
+std::vector<InputKind> formatKinds(const MutantFolders& folders);
+
 /// Returns all kinds of input that the programs take, and writes the seeds that are made.
 std::vector<InputKind> inputKinds(const MutantFolders& folders);

@@ -43,10 +43,11 @@ std::vector<InputKind> modelKinds(const MutantFolders& folders)
     const auto corpus = folders.corpus();
     const auto models = folders.real("models");
     const auto waves = seeds::written(folders.scratch / "waves.obj", seeds::wavesModel());
-    return {modelsOf(folders, "obj", joined({waves}, realFiles(models, {".obj"}))),
-            modelsOf(folders, "ac", realFiles(models, {".ac"})),
-            modelsOf(folders, "glb", joined({corpus / "quad.glb"}, realFiles(models, {".glb"}))),
-            modelsOf(folders, "gltf", {corpus / "quad.gltf"}),
-            progressiveMeshes(folders, {corpus / "waves.pm", corpus / "quantised.pm", corpus / "images.pm"}),
-            polygons(folders, {corpus / "faces.obj", corpus / "frame.geojson"})};
+    return {
+        modelsOf(folders, "obj", joined({waves}, realFiles(models, {".obj"}))),
+        modelsOf(folders, "ac", realFiles(models, {".ac"})),
+        modelsOf(folders, "glb", joined({corpus / "quad.glb"}, realFiles(models, {".glb"}))),
+        modelsOf(folders, "gltf", {corpus / "quad.gltf", corpus / "sparse.gltf", corpus / "meshopt.gltf"}),
+        progressiveMeshes(folders, {corpus / "waves.pm", corpus / "quantised.pm", corpus / "images.pm"}),
+        polygons(folders, {corpus / "faces.obj", corpus / "frame.geojson"})};
 }

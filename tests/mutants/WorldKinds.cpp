@@ -133,7 +133,7 @@ std::vector<InputKind> worldKinds(const MutantFolders& folders)
     using seeds::joined, seeds::realFiles, seeds::written;
     const WorldKinds make(folders);
     const auto corpus = folders.corpus();
-    const seeds::Files hill = {folders.scratch / "hill.asc"};
+    const seeds::Files hill = {folders.scratch / "hill.asc", corpus / "place.tif"};
     return {
         make.terrains("dem", joined(hill, realFiles(folders.real("dem"),
                                                     {".asc", ".tif", ".hgt", ".dt0", ".gz", ".zip"}))),

@@ -148,7 +148,8 @@ int main(int argc, char** argv)
         "--kinds", request.kinds,
         "only these kinds: obj, ac, glb, gltf, pm, dem, roam, scenery, view, xosc, xodr, osm, josm, osc, "
         "geojson, runways, aircraft, vehicle, tracks, foreign-tracks, inputs, keys, devices, polygons, mt, "
-        "tin, points");
+        "tin, points, pbf, gpkg, shp, map-zip, features, buildings, structures, objects, earthworks, edits, "
+        "cover, imagery, motion");
     app.add_flag("--control", request.isControl,
                  "run programs that crash, hang or eat memory, which must be found out");
     CLI11_PARSE(app, argc, argv);
