@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a map: its streets become a network on a hillside, or it is refused. A part of
-// them is a file that is joined first, too.
+// Any bytes may be given as a map, as XML where they begin as XML does, else as PBF: its streets become a
+// network on a hillside, or it is refused. A part of them is a file that is joined first, too.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,14 +35,20 @@ std::optional<double> hillside(double latitudeDeg, double longitudeDeg)
     return 1000.0 + 5000.0 * (latitudeDeg - 42.5) + 40.0 * std::sin(2000.0 * longitudeDeg);
 }
 
+std::string formatOf(std::string_view bytes)
+{
+    return bytes.starts_with('<') ? "osm" : "osm.pbf";
+}
+
 /// What is joined can be read.
 void join(std::string_view bytes)
 {
     const auto folder = std::filesystem::temp_directory_path() / ("fuzz-osm-" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
-    std::ofstream(folder / "fuzz.osm", std::ios::binary) << bytes;
+    const auto file = folder / ("fuzz." + formatOf(bytes));
+    std::ofstream(file, std::ios::binary) << bytes;
     worldmaking::JoinReport report;
-    const worldmaking::MapSource source{(folder / "fuzz.osm").string(), true};
+    const worldmaking::MapSource source{file.string(), true};
     const auto joined = worldmaking::joinOsm({source, source}, folder / "joined.osm.pbf", report);
     if (joined)
     {
@@ -60,9 +66,9 @@ void join(std::string_view bytes)
 // NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    if (constexpr std::size_t kOneOf = 8; size % kOneOf == 0)
-        join({reinterpret_cast<const char*>(data), size});
-    const auto map = worldmaking::parseOsm({reinterpret_cast<const char*>(data), size}, "osm", "fuzz");
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    if (constexpr std::size_t kOneOf = 8; size % kOneOf == 0) join(bytes);
+    const auto map = worldmaking::parseOsm(bytes, formatOf(bytes), "fuzz");
     if (!map) return 0;
     const auto streets = worldmaking::buildStreets(*map, hillside, "fuzz");
     if (!streets) return 0;
