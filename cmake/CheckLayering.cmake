@@ -64,6 +64,7 @@ layer(examples       "^examples/"          graphics foundation viewlod objects-c
 layer(install-tests  "^tests/install/"     graphics foundation viewlod objects-core terrain-core roads-core traversal objects sky terrain offscreen)
 layer(render-support "^tests/support/Rendered" ${libraries} test-support)
 layer(test-support   "^tests/support/"     foundation viewlod objects-core terrain-core mt-core simulation generator)
+layer(scene-fuzzer   "^tests/fuzz/KeptScene" graphics ${cores} terrain session test-support)
 layer(core-tests     "^tests/(core|fuzz)/" ${cores} session-core polygons trainer-input generator test-support)
 layer(shader-tests   "^tests/osg/shaders/" ${libraries} bench test-support render-support)
 layer(osg-tests      "^tests/osg/"         ${libraries} terminal session trainer tools compare test-support render-support core-tests)

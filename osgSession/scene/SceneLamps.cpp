@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SceneLamps.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
+#include <vector>
 
-#include <foundation/PlainBytes.h>
-
+#include "scenery/lights/StreetLampBytes.h"
 #include "scenery/roads/LayRoads.h"
 
 namespace trainer
@@ -17,9 +14,6 @@ namespace
 {
 
 using scenery::StreetLamp;
-
-/// Place, direction, height and whether it is of sodium.
-using LampNumbers = std::array<double, 6>;
 
 std::vector<StreetLamp> lampsAlong(const osgRoads::core::PlacedNetwork* roads,
                                    const std::vector<glm::dvec2>& houses, const scenery::MappedLamps& mapped)
@@ -48,32 +42,6 @@ foundation::ContentMark markOf(foundation::ContentMark mark, const std::vector<g
 
 } // namespace
 
-std::string bytesOf(const std::vector<StreetLamp>& lamps)
-{
-    std::vector<LampNumbers> all;
-    for (const StreetLamp& lamp : lamps)
-        all.push_back({lamp.place.x, lamp.place.y, lamp.towards.x, lamp.towards.y, lamp.heightM,
-                       lamp.isSodium ? 1.0 : 0.0});
-    std::string bytes;
-    foundation::appendValues(bytes, all);
-    return bytes;
-}
-
-std::optional<std::vector<StreetLamp>> streetLampsIn(std::string_view bytes)
-{
-    foundation::ValueTaker taker(bytes);
-    std::vector<LampNumbers> all;
-    if (!taker.take(all) || !taker.isEmpty()) return std::nullopt;
-    std::vector<StreetLamp> lamps;
-    for (const LampNumbers& numbers : all)
-    {
-        if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); }))
-            return std::nullopt;
-        lamps.push_back({{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5] != 0.0});
-    }
-    return lamps;
-}
-
 std::shared_ptr<scenery::SettlementLights>
 settlementLights(MapScenery map, const scenery::MappedLamps& mapped,
                  const osgRoads::core::PlacedNetwork* roads, foundation::HeightInPlan ground,
@@ -83,8 +51,8 @@ settlementLights(MapScenery map, const scenery::MappedLamps& mapped,
     const auto make = [&] { return lampsAlong(roads, map.houses, mapped); };
     if (!(map.houses.empty() && mapped.posts.empty() && mapped.lit.empty()))
         lamps = roadsMark
-                    ? kept.findOrMake("lamps", markOf(*roadsMark, map.houses, mapped), streetLampsIn, make,
-                                      [](const std::vector<StreetLamp>& made) { return bytesOf(made); })
+                    ? kept.findOrMake("lamps", markOf(*roadsMark, map.houses, mapped), scenery::streetLampsIn,
+                                      make, [](const std::vector<StreetLamp>& made) { return bytesOf(made); })
                     : make();
     auto lights = std::make_shared<scenery::SettlementLights>(lamps, std::move(map.panes),
                                                               std::move(map.lights), std::move(ground));

@@ -3,9 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <foundation/ContentMark.h>
 #include <foundation/Heights.h>
@@ -29,11 +26,5 @@ std::shared_ptr<scenery::SettlementLights>
 settlementLights(MapScenery map, const scenery::MappedLamps& mapped,
                  const osgRoads::core::PlacedNetwork* roads, foundation::HeightInPlan ground,
                  const std::optional<foundation::ContentMark>& roadsMark, const foundation::KeptFrom& kept);
-
-/// Returns lamps as bytes, for streetLampsIn().
-std::string bytesOf(const std::vector<scenery::StreetLamp>& lamps);
-
-/// Absent: bytesOf() did not write them.
-std::optional<std::vector<scenery::StreetLamp>> streetLampsIn(std::string_view bytes);
 
 } // namespace trainer

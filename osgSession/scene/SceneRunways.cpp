@@ -158,7 +158,9 @@ std::optional<SceneAirfields> sceneAirfieldsIn(std::string_view bytes)
     for (SceneRunway& runway : airfields.runways)
     {
         RunwayNumbers n{};
-        if (!taker.take(n) || !taker.take(runway.designators) || !(n[3] >= kLeastM) || !(n[4] > 0.0))
+        const auto isFinite = [](double number) { return std::isfinite(number); };
+        if (!taker.take(n) || !taker.take(runway.designators) || !(n[3] >= kLeastM) || !(n[4] > 0.0) ||
+            !std::all_of(n.begin(), n.end(), isFinite))
             return std::nullopt;
         runway.strip = {{n[0], n[1]}, n[2], n[3], n[4]};
         runway.isPaved = n[5] != 0.0;

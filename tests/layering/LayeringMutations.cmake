@@ -54,6 +54,7 @@ function(plantTree)
             "tests/support/Random.h|cstdint"
             "tests/support/RenderedView.h|osgOffscreen/Capture"
             "tests/core/tile/TileTest.cpp|osgTerrainROAM/core/Tile.h"
+            "tests/fuzz/KeptSceneFuzzer.cpp|osgTerrainROAM/Terrain"
             "tests/install/core/main.cpp|viewlod/Frustum.h"
             "tests/osg/terrain/TerrainTest.cpp|osgTerrainROAM/Terrain"
             "tests/osg/shaders/LookTest.cpp|bench/frames/Look.h"
@@ -159,6 +160,7 @@ expectBreach(tests/support/Random.h "#include \"RenderedView.h\"")
 expectBreach(tests/support/RenderedView.h "#include \"view/Scene.cpp\"")
 expectBreach(tests/core/tile/TileTest.cpp "#include \"RenderedView.h\"")
 expectBreach(tests/core/tile/TileTest.cpp "#include \"TerrainTest.cpp\"")
+expectBreach(tests/fuzz/KeptSceneFuzzer.cpp "#include \"Frames.cpp\"")
 expectBreach(tests/install/core/main.cpp "#include \"Random.h\"")
 expectBreach(tests/osg/terrain/TerrainTest.cpp "#include \"Frames.cpp\"")
 expectBreach(tests/render/terrain/GoldenTest.cpp "#include \"../../../bench/Frames.cpp\"")

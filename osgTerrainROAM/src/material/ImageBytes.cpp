@@ -18,13 +18,19 @@ namespace
 using ImageShape = std::array<std::int32_t, 6>;
 
 constexpr std::int32_t kMostSide = 16384;
+constexpr std::uint64_t kMostImageBits = std::uint64_t{1} << 33; ///< OSG counts bytes by 32 bits
 
 bool isShape(const ImageShape& shape)
 {
+    std::uint64_t texels = 1;
     for (std::size_t i = 0; i < 3; ++i)
+    {
         if (shape[i] < 1 || shape[i] > kMostSide) return false;
-    return osg::Image::computePixelSizeInBits(static_cast<GLenum>(shape[4]), static_cast<GLenum>(shape[5])) >
-           0;
+        texels *= static_cast<std::uint64_t>(shape[i]);
+    }
+    const unsigned int bits =
+        osg::Image::computePixelSizeInBits(static_cast<GLenum>(shape[4]), static_cast<GLenum>(shape[5]));
+    return bits > 0 && texels <= kMostImageBits / bits;
 }
 
 } // namespace

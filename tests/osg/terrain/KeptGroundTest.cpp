@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The maps of the ground are found again, the same, and made anew where they were damaged.
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -137,6 +138,13 @@ TEST(ImageBytes, OfOtherSizesAreNone)
     std::string wide = bytes;
     wide[3] = 0x7f; // 2 billion texels
     EXPECT_FALSE(imageIn(wide));
+    std::string large = bytes;
+    large[1] = large[5] = 0x40; // 16 387 x 16 389, more than a side may have
+    EXPECT_FALSE(imageIn(large));
+    large = bytes;
+    const std::int32_t sides[]{16384, 16384, 16}; // 17 GB, which zero runs say in 16 bytes
+    std::memcpy(large.data(), sides, sizeof sides);
+    EXPECT_FALSE(imageIn(large));
 }
 
 } // namespace

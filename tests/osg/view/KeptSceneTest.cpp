@@ -6,15 +6,15 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/SceneLamps.h"
 #include "scene/SceneRunways.h"
+#include "scenery/lights/StreetLampBytes.h"
 
 namespace
 {
 
+using scenery::streetLampsIn;
 using trainer::bytesOf;
 using trainer::sceneAirfieldsIn;
-using trainer::streetLampsIn;
 
 trainer::SceneAirfields airfield()
 {
@@ -46,6 +46,9 @@ TEST(KeptScene, AirfieldsComeBack)
     trainer::SceneAirfields tooShort = airfield();
     tooShort.runways[0].strip.lengthM = 1.0;
     EXPECT_FALSE(sceneAirfieldsIn(bytesOf(tooShort)));
+    trainer::SceneAirfields noPlace = airfield();
+    noPlace.runways[0].strip.threshold.y = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(sceneAirfieldsIn(bytesOf(noPlace)));
 }
 
 TEST(KeptScene, StreetLampsComeBack)
