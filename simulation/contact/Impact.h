@@ -22,9 +22,12 @@ struct Impact
     ObstacleKind kind = ObstacleKind::thing;
     std::string name;      ///< of what was hit
     bool hasGiven = false; ///< it broke, or gave way
+    /// what of the vehicle it broke: "propeller broken, engine stopped"; empty: nothing
+    std::string damage{};
 };
 
-/// An impact in a line, for people: "after 12.30 s at 54 km/h into a tree (oak) at 120.3, 44.0".
+/// An impact in a line, for people: "after 12.30 s at 54 km/h into a tree (oak) at 120.3, 44.0", and what it
+/// broke.
 /// `startS`: of the simulation, when the vehicle's time was 0.
 std::string textOf(const Impact& impact, double startS = 0.0);
 

@@ -29,8 +29,13 @@ enum class ObstacleKind : std::uint8_t
     vehicle,
     thing,  ///< anything else
     person, ///< on foot: gives way
+    ground, ///< the terrain; never in a map
+    water,  ///< never in a map
     count
 };
+
+/// How many kinds stand somewhere: those before `ground`.
+inline constexpr int kStandingKinds = static_cast<int>(ObstacleKind::ground);
 
 /// How a kind meets vehicles. What neither breaks nor slows stands fast.
 struct ObstacleFacts
@@ -63,6 +68,8 @@ constexpr ObstacleFacts factsOf(ObstacleKind kind)
         {"vehicle"},
         {"thing"},
         {"person", 1.0, 400.0},
+        {"ground"},
+        {"water"},
     }};
     return kFacts[static_cast<std::size_t>(kind)];
 }

@@ -18,7 +18,6 @@ constexpr int kGroundSubsteps = 8;
 constexpr double kFastestMps = 400.0;
 constexpr double kFastestRadps = 15.0; ///< of tumbling wreckage; faster turning is cut
 constexpr double kFarthestM = 2e7;     ///< from the scene's origin
-constexpr double kDeepestM = 0.3;      ///< below the ground; deeper points are lifted out
 constexpr double kStallTimeS = 0.3;    ///< in which the flow separates or attaches
 constexpr double kLargestMps2 = 500.0; ///< of a step's loads, beyond any structure
 
@@ -40,7 +39,12 @@ ForceMoment wreckLoad(const AircraftData& aircraft, const MassProperties& mass, 
 
 Aircraft::Aircraft(std::shared_ptr<const AircraftData> data, std::shared_ptr<const EarthFrame> earth,
                    std::uint64_t seed)
-    : _data(std::move(data)), _earth(std::move(earth)), _contacts(*_data), _turns(*_data), _turbulence(seed)
+    : _data(std::move(data)),
+      _earth(std::move(earth)),
+      _contacts(*_data),
+      _hull(_data),
+      _turns(*_data),
+      _turbulence(seed)
 {
     for (std::size_t i = 0; i < _data->tanks.size() && i < kMostTanks; ++i)
         _state.fuelKg[i] = _data->tanks[i].contentsKg;
@@ -55,7 +59,11 @@ void Aircraft::place(const FlightState& state, double timeS)
     _startS = _timeS = timeS;
     _status = {};
     _hasLastLoad = false;
-    _isOnGround = false;
+    _isOnGround = _isAtRest = false;
+    _stillS = 0.0;
+    _damage = {};
+    _contacts.mend();
+    _hull.forget();
     if (!isComputable())
     {
         _state = before;
@@ -86,20 +94,12 @@ bool Aircraft::isComputable() const
            std::isfinite(_state.manifoldPa);
 }
 
-void Aircraft::crash(std::string_view reason)
-{
-    if (_status.condition != VehicleCondition::sound) return;
-    _status = {VehicleCondition::crashed, reason};
-    _state.engineRadps = 0.0;
-}
-
 FlightSurroundings Aircraft::surroundingsNow(const Ground& ground, const Air& air)
 {
     const BodyMotion& motion = _state.motion;
     _place = _earth->placeAt(motion.position);
-    GroundPoint below;
-    ground.below({&motion.position, 1}, {&below, 1});
-    _heightAboveGroundM = below.isKnown ? motion.position.z - below.heightM : _place.geodetic.heightM;
+    ground.below({&motion.position, 1}, {&_below, 1});
+    _heightAboveGroundM = _below.isKnown ? motion.position.z - _below.heightM : _place.geodetic.heightM;
     FlightSurroundings surroundings;
     surroundings.air = air.at(motion.position, _place.geodetic.heightM, _timeS);
     surroundings.earthRate = _earth->earthRate();
@@ -123,7 +123,7 @@ void Aircraft::stepSystems(const FlightLoads& loads, const FlightSurroundings& s
     const double throttle = inputOf(_inputs, FlightInput::throttle);
     const double steady = steadyManifoldPa(engine, throttle, _state.engineRadps, surroundings.air.pressurePa);
     _state.manifoldPa += (1.0 - std::exp(-kStepS / engine.manifoldLagS)) * (steady - _state.manifoldPa);
-    if (_status.condition == VehicleCondition::sound)
+    if (_status.condition == VehicleCondition::sound && !_damage.isPropellerBroken)
         _state.engineRadps =
             std::max(0.0, _state.engineRadps + kStepS * (loads.engine.torqueNm - loads.propeller.torqueNm) /
                                                    _data->propeller.inertiaKgM2);
@@ -147,6 +147,7 @@ void Aircraft::stepMotion(const MassProperties& mass, const FlightLoads& loads,
                           const FlightSurroundings& surroundings, const Ground& ground)
 {
     BodyMotion& motion = _state.motion;
+    _velocityBefore = motion.velocity;
     // The loads at the middle of the step, from this one and the last (Adams, Bashforth).
     ForceMoment load = loads.load;
     if (_hasLastLoad)
@@ -166,60 +167,41 @@ void Aircraft::stepMotion(const MassProperties& mass, const FlightLoads& loads,
         alphaRateOf(loads.air.velocity,
                     toBody * accelerationOf(motion, mass, load.force, around) -
                         glm::cross(motion.rates - toBody * surroundings.earthRate, toBody * motion.velocity));
-    const bool isNear = _heightAboveGroundM < 50.0 && _contacts.look(motion, mass.centre, ground);
-    if (isNear) liftOutOfGround();
-    const GroundControls feet{
-        -inputOf(_inputs, FlightInput::rudder), inputOf(_inputs, FlightInput::leftBrake),
-        inputOf(_inputs, FlightInput::rightBrake), _status.condition == VehicleCondition::crashed};
-    const int substeps = isNear ? kGroundSubsteps : 1;
-    const double stepS = kStepS / substeps;
+    _isNearGround = _heightAboveGroundM < kLowM && _contacts.look(motion, mass.centre, ground);
+    if (_isNearGround) liftOutOfGround();
+    lookAround(mass, ground);
+    const int substeps = _isNearGround || _isOnHull || _hull.isNear() ? kGroundSubsteps : 1;
     _isOnGround = false;
     for (int i = 0; i < substeps; ++i)
-    {
-        ForceMoment sum = load;
-        if (isNear)
-        {
-            sum += _contacts.press(motion, surroundings.earthRate, feet, stepS);
-            judgeContacts();
-        }
-        advance(motion, mass, sum, around, stepS);
-        const double turning = glm::length(motion.rates);
-        if (turning > kFastestRadps) motion.rates *= kFastestRadps / turning;
-    }
+        stepShort(load, mass, around, ground, kStepS / substeps);
+    judgeRest();
 }
 
-/// Breaks what is pressed too fast, and notices whether a wheel stands on the ground, or any part of a wreck.
-void Aircraft::judgeContacts()
+void Aircraft::stepShort(const ForceMoment& load, const MassProperties& mass, const BodySurroundings& around,
+                         const Ground& ground, double stepS)
 {
-    const std::span<const Contact> contacts = _contacts.contacts();
-    for (std::size_t i = 0; i < contacts.size(); ++i)
+    BodyMotion& motion = _state.motion;
+    ForceMoment sum = load;
+    if (_isNearGround)
     {
-        if (contacts[i].depthM <= 0.0) continue;
-        const ContactData& data = _data->contacts[i];
-        _isOnGround = _isOnGround || data.isWheel || _status.condition == VehicleCondition::crashed;
-        if (contacts[i].ground.kind == GroundKind::water)
-            crash("it came down on water");
-        else if (contacts[i].closingMps > data.strongestMps)
-            crash(data.isWheel ? "its gear broke at touchdown" : "it hit the ground");
+        const GroundControls feet{
+            -inputOf(_inputs, FlightInput::rudder), inputOf(_inputs, FlightInput::leftBrake),
+            inputOf(_inputs, FlightInput::rightBrake), _status.condition == VehicleCondition::crashed};
+        sum += _contacts.press(motion, around.earthRate, feet, stepS);
+        judgeContacts();
+        if (_status.condition == VehicleCondition::crashed && !_isOnHull) lieOnHull(mass, ground);
     }
-}
-
-/// A point far below the ground (a cliff, a start inside a hill) is lifted, without speed of its own: a
-/// spring so far pressed would throw the aircraft.
-void Aircraft::liftOutOfGround()
-{
-    glm::dvec3 normal(0.0, 0.0, 1.0);
-    const double deepest = _contacts.deepestM(_state.motion, normal);
-    if (deepest <= kDeepestM) return;
-    crash("it hit the ground");
-    _state.motion.position.z += deepest - kDeepestM;
-    const double inward = glm::dot(_state.motion.velocity, normal);
-    if (inward < 0.0) _state.motion.velocity -= inward * normal;
+    if (_waterM) sum += _hull.swim(motion, mass, around, *_waterM, stepS);
+    const BodyMotion before = motion;
+    advance(motion, mass, sum, around, stepS);
+    if (_isOnHull || _hull.isNear()) meetHull(before, mass, stepS);
+    const double turning = glm::length(motion.rates);
+    if (turning > kFastestRadps) motion.rates *= kFastestRadps / turning;
 }
 
 void Aircraft::step(const Ground& ground, const Air& air)
 {
-    if (_status.condition == VehicleCondition::failed)
+    if (_status.condition == VehicleCondition::failed || _isAtRest)
     {
         _timeS = _startS + static_cast<double>(++_step) * kStepS;
         return;
@@ -228,7 +210,10 @@ void Aircraft::step(const Ground& ground, const Air& air)
     _surroundings = surroundingsNow(ground, air);
     const MassProperties mass = massProperties(*_data, _state.fuelKg);
     FlightLoads loads = flightLoads(*_data, mass, _state, _inputs, _surroundings);
-    if (_status.condition == VehicleCondition::crashed) loads.load = wreckLoad(*_data, mass, loads.air);
+    if (_status.condition == VehicleCondition::crashed)
+        loads.load = wreckLoad(*_data, mass, loads.air);
+    else
+        bearDamage(loads.load);
     stepMotion(mass, loads, _surroundings, ground);
     stepSystems(loads, _surroundings);
     _turns.step(*_data, _contacts.contacts(),

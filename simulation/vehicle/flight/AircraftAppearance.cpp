@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <foundation/Angle.h>
 
 #include "simulation/vehicle/Airspeeds.h"
@@ -14,6 +16,13 @@ GearLeg legOf(const ContactData& wheel)
     constexpr double kMiddleM = 0.1;
     if (wheel.place.y < -kMiddleM) return kLeftLeg;
     return wheel.place.y > kMiddleM ? kRightLeg : kNoseLeg;
+}
+
+/// How far a leg that broke is pressed in: up to the belly.
+double foldedM(const AircraftData& aircraft, const ContactData& wheel)
+{
+    const HullBox& lowest = aircraft.hull.boxes.front();
+    return std::max(0.0, lowest.place.z - 0.5 * lowest.sizeM.z - wheel.place.z);
 }
 
 } // namespace
@@ -40,7 +49,7 @@ void Aircraft::writeParts(EntityState& entity) const
         const GearLeg leg = legOf(data);
         const glm::dvec3 arm = bodyPlace(data.place, centre);
         parts.wheelBottom[leg] = glm::dvec3(arm.x, -arm.y, -arm.z) - reference;
-        parts.strutM[leg] = std::max(0.0, contacts[i].depthM);
+        parts.strutM[leg] = contacts[i].isGone ? foldedM(*_data, data) : std::max(0.0, contacts[i].depthM);
         parts.wheelTurnDeg[leg] = _turns.wheelDeg(i);
         if (leg == kNoseLeg) parts.noseSteeringDeg = data.steeringDeg * inputOf(_inputs, FlightInput::rudder);
     }

@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include "simulation/vehicle/Hull.h"
 #include "simulation/vehicle/Table.h"
 
 namespace simulation
@@ -206,6 +207,7 @@ struct AircraftData
     EngineData engine;
     PropellerData propeller;
     std::vector<ContactData> contacts;
+    HullData hull; ///< about the datum of the structural frame, axes forward, left, up
 
     const CoefficientTable& coefficient(Part part) const
     {

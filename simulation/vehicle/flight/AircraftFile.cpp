@@ -7,7 +7,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "simulation/vehicle/HullFile.h"
 #include "simulation/vehicle/VehicleFileReader.h"
+#include "simulation/vehicle/flight/AircraftHull.h"
 #include "simulation/vehicle/flight/FlightModel.h"
 
 namespace simulation
@@ -18,6 +20,8 @@ namespace
 
 constexpr std::size_t kMostBytes = 4U << 20U;
 constexpr double kMost = 1e9;
+constexpr std::size_t kMostHullBoxes = 12;
+constexpr double kWidestHullM = 100.0;
 
 void readBody(VehicleFileReader& reader, pugi::xml_node root, AircraftData& data)
 {
@@ -148,6 +152,16 @@ void readContact(VehicleFileReader& reader, pugi::xml_node node, bool isWheel, A
     data.contacts.push_back(std::move(contact));
 }
 
+/// A file without a hull gets one of its measures.
+void readAircraftHull(VehicleFileReader& reader, pugi::xml_node root, AircraftData& data)
+{
+    const pugi::xml_node node = root.child("hull");
+    data.hull = node ? readHull(reader, node, kMostHullBoxes, kWidestHullM) : hullOfMeasures(data);
+    if (!node) return;
+    for (HullBox& box : data.hull.boxes)
+        box.place = hullPlace(box.place);
+}
+
 /// An aircraft's centre of mass is nearer to what it stands on than its span. One in inches or millimetres is
 /// not.
 void checkCentre(VehicleFileReader& reader, pugi::xml_node root, const AircraftData& data)
@@ -224,7 +238,7 @@ foundation::Result<AircraftData> readSource(const foundation::XmlSource& source)
     data.name = reader.name(root);
     if (!reader.error())
         reader.onlyElements(root, "geometry aerodynamicPoint empty load tank elevator aileron rudder flaps "
-                                  "stall engine propeller wheel skid coefficient");
+                                  "stall engine propeller wheel skid hull coefficient");
     if (!reader.error()) readBody(reader, root, data);
     if (!reader.error()) readControls(reader, root, data);
     if (!reader.error()) readEngine(reader, root, data.engine);
@@ -233,6 +247,7 @@ foundation::Result<AircraftData> readSource(const foundation::XmlSource& source)
         readContact(reader, node, true, data);
     for (const pugi::xml_node node : root.children("skid"))
         readContact(reader, node, false, data);
+    if (!reader.error()) readAircraftHull(reader, root, data);
     if (!reader.error()) checkCentre(reader, root, data);
     if (!reader.error()) readCoefficients(reader, root, data);
     if (reader.error()) return *reader.error();

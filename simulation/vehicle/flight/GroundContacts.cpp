@@ -86,9 +86,22 @@ bool GroundContacts::look(const BodyMotion& motion, const glm::dvec3& centre, co
     {
         // The ground as a plane through this point: within one step that is the surface.
         _contacts[i].ground = _answers[i];
+        _contacts[i].waterM.reset();
+        if (_answers[i].isKnown && _answers[i].kind == GroundKind::water)
+        {
+            _contacts[i].waterM = _answers[i].heightM;
+            _contacts[i].ground.heightM -= _answers[i].depthM;
+            _contacts[i].ground.kind = GroundKind::gravel;
+        }
         isNear = isNear || depthOf(_points[i], _answers[i]) > -kNearM;
     }
     return isNear;
+}
+
+void GroundContacts::mend()
+{
+    for (Contact& contact : _contacts)
+        contact.isGone = false;
 }
 
 ForceMoment GroundContacts::pressOne(std::size_t index, const BodyMotion& motion, const glm::dvec3& rates,
@@ -102,8 +115,9 @@ ForceMoment GroundContacts::pressOne(std::size_t index, const BodyMotion& motion
     contact.depthM = contact.ground.isKnown ? glm::dot(plane - point, normal) : -kNearM;
     contact.loadN = 0.0;
     contact.closingMps = 0.0;
-    if (contact.depthM <= 0.0)
+    if (contact.depthM <= 0.0 || contact.isGone)
     {
+        contact.depthM = std::min(contact.depthM, 0.0);
         contact.slip = glm::dvec2(0.0);
         return {};
     }
@@ -149,6 +163,7 @@ double GroundContacts::deepestM(const BodyMotion& motion, glm::dvec3& normal) co
     double deepest = 0.0;
     for (const Contact& contact : _contacts)
     {
+        if (contact.isGone) continue;
         const double depth = depthOf(motion.position + motion.attitude * contact.arm, contact.ground);
         if (depth <= deepest) continue;
         deepest = depth;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,12 +23,14 @@ struct GroundControls
 /// A point of an aircraft that may touch the ground, during a step.
 struct Contact
 {
-    glm::dvec3 arm{0.0};     ///< from the centre of mass, body axes
-    GroundPoint ground;      ///< below it
-    glm::dvec2 slip{0.0};    ///< how far the tyre is bent: along and across the wheel; metres
-    double depthM = 0.0;     ///< how far the strut is pressed in
-    double loadN = 0.0;      ///< across the ground
-    double closingMps = 0.0; ///< speed against the ground, at contact
+    glm::dvec3 arm{0.0};            ///< from the centre of mass, body axes
+    GroundPoint ground;             ///< below it; of water, its bed
+    std::optional<double> waterM{}; ///< z of the surface of water over that
+    glm::dvec2 slip{0.0};           ///< how far the tyre is bent: along and across the wheel; metres
+    double depthM = 0.0;            ///< how far the strut is pressed in
+    double loadN = 0.0;             ///< across the ground
+    double closingMps = 0.0;        ///< speed against the ground, at contact
+    bool isGone = false;            ///< it touches nothing any more
 };
 
 /// Springs, dampers and tyres of all points of contact.
@@ -52,6 +55,11 @@ public:
                       double stepS);
 
     std::span<const Contact> contacts() const { return _contacts; }
+
+    /// A part that broke off, or that the hull of a wreck stands for: it touches nothing any more.
+    void drop(std::size_t index) { _contacts[index].isGone = true; }
+    /// All parts are there again.
+    void mend();
 
     /// How far the deepest point lies below the ground, and the ground there.
     double deepestM(const BodyMotion& motion, glm::dvec3& normal) const;

@@ -44,19 +44,22 @@ void ObstacleMeeting::note(const ObstacleTouch& touch)
             _impacts[i].lastS = touch.timeS;
             _impacts[i].closingMps = std::max(_impacts[i].closingMps, touch.closingMps);
             _impacts[i].hasGiven = _impacts[i].hasGiven || touch.hasGiven;
+            if (!touch.damage.empty())
+                _impacts[i].damage += (_impacts[i].damage.empty() ? "" : ", ") + touch.damage;
             return;
         }
     if (touch.closingMps < kLeastToldMps || _impacts.size() >= kMostImpacts) return;
     const double speedMps = glm::length(touch.velocity);
     _impacts.push_back({touch.timeS, touch.timeS, speedMps, touch.closingMps, touch.place,
                         speedMps > 1e-9 ? touch.velocity / speedMps : glm::dvec3(0.0), kindOf(touch.number),
-                        nameOf(touch.number), touch.hasGiven});
+                        nameOf(touch.number), touch.hasGiven, touch.damage});
     _numbers.push_back(touch.number);
 }
 
 ObstacleKind ObstacleMeeting::kindOf(std::uint32_t number) const
 {
     if (number < kMovers) return _map->at(number).kind;
+    if (number >= kGround) return number == kGround ? ObstacleKind::ground : ObstacleKind::water;
     for (const MovingObstacle& mover : _movers)
         if (numberOf(mover.number) == number) return mover.box.kind;
     return ObstacleKind::thing;
@@ -88,7 +91,9 @@ std::string_view ObstacleMeeting::reason(std::uint32_t number) const
         "it hit a hedge",
         "it hit a vehicle",
         "it hit a thing that stands there",
-        "it hit a person"};
+        "it hit a person",
+        "it hit the ground",
+        "it came down on water"};
     return kReasons[static_cast<std::size_t>(kindOf(number))];
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct ObstacleTouch
     glm::dvec3 place{0.0};
     glm::dvec3 velocity{0.0}; ///< of the vehicle before
     bool hasGiven = false;
+    std::string damage{}; ///< what of the vehicle it broke
 };
 
 /// What stands around one vehicle: what of it is near, what of it the vehicle has broken, and the impacts.
@@ -66,6 +68,7 @@ public:
     std::string_view reason(std::uint32_t number) const;
 
     static constexpr std::uint32_t kMovers = 0x8000'0000U; ///< above all numbers of a map
+    static constexpr std::uint32_t kGround = 0xffff'fffeU, kWater = 0xffff'ffffU;
     static constexpr double kOneImpactS = 1.0, kLeastToldMps = 0.15;
     static constexpr std::size_t kMostImpacts = 10'000;
 

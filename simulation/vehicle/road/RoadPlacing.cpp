@@ -61,7 +61,7 @@ void RoadVehicle::place(const RoadStart& start, const Ground& ground, double tim
     _overS = _steerRad = _brakeNm = 0.0;
     _acceleration = _airForce = glm::dvec3(0.0);
     _wheels = {};
-    _obstacles.forget();
+    _meeting.obstacles().forget();
     _waterM.reset();
     _airShare = 1.0;
     _drivetrain.reset();

@@ -41,10 +41,11 @@ RoadVehicle::RoadVehicle(std::shared_ptr<const RoadVehicleData> data, std::share
       _earth(std::move(earth)),
       _world(world ? std::move(world) : std::make_shared<BodyWorld>()),
       _mass(massProperties(*_data)),
+      _body(_world->add(_mass, _data->hull)),
+      _meeting({_world, _body, &_data->hull, _mass.centre, _mass.massKg}),
       _restN(restLoads(*_data)),
       _drivetrain(*_data)
 {
-    _body = _world->add(_mass, _data->hull);
     for (std::size_t i = 0; i < 2; ++i)
     {
         const AxleData& axle = _data->axles[i];
@@ -167,13 +168,13 @@ void RoadVehicle::end(double stepS)
         _world->place(_body, _motion);
     }
     const SolidHit hit = _world->hit(_body);
-    noteHits(hit);
+    _meeting.note(hit, _timeS + kStepS, _before.velocity);
     if (hit.closingMps > _data->hull.crashesAtMps)
     {
         if (hit.obstacle && hit.obstacleMps == hit.closingMps)
-            crash(_obstacles.reason(*hit.obstacle));
+            crash(_meeting.obstacles().reason(*hit.obstacle));
         else if (hit.mover && hit.moverMps == hit.closingMps)
-            crash(_obstacles.reason(ObstacleMeeting::numberOf(*hit.mover)));
+            crash(_meeting.obstacles().reason(ObstacleMeeting::numberOf(*hit.mover)));
         else
             crash("it hit something hard");
     }

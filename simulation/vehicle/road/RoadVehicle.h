@@ -12,7 +12,7 @@
 #include "simulation/vehicle/EarthFrame.h"
 #include "simulation/vehicle/road/BodyWorld.h"
 #include "simulation/vehicle/road/Drivetrain.h"
-#include "simulation/vehicle/road/ObstacleMeeting.h"
+#include "simulation/vehicle/road/HullMeeting.h"
 #include "simulation/vehicle/road/RoadInputs.h"
 #include "simulation/vehicle/road/RoadVehicleData.h"
 #include "simulation/vehicle/road/WheelGround.h"
@@ -91,11 +91,14 @@ public:
     VehicleStatus status() const override { return _status; }
     void meet(std::shared_ptr<const ObstacleMap> obstacles) override
     {
-        _obstacles.meet(std::move(obstacles));
+        _meeting.obstacles().meet(std::move(obstacles));
     }
-    void meetMovers(std::span<const MovingObstacle> movers) override { _obstacles.meetMovers(movers); }
-    std::span<const int> touchedMovers() const override { return _touchedMovers; }
-    std::span<const Impact> impacts() const override { return _obstacles.impacts(); }
+    void meetMovers(std::span<const MovingObstacle> movers) override
+    {
+        _meeting.obstacles().meetMovers(movers);
+    }
+    std::span<const int> touchedMovers() const override { return _meeting.touchedMovers(); }
+    std::span<const Impact> impacts() const override { return _meeting.obstacles().impacts(); }
 
     /// Steps vehicles that share a world.
     static void stepTogether(std::span<RoadVehicle* const> vehicles, const Ground& ground, const Air& air);
@@ -136,10 +139,6 @@ private:
     void lookAtWater(const Ground& ground, bool hasWater);
     void swim(double stepS);
     void lookAtObstacles();
-    bool lookAtMovers(const glm::dvec2& middle, double reachM);
-    void meetGiving(const Obstacle& obstacle, std::uint32_t number);
-    void noteHits(const SolidHit& hit);
-    HullPlan planOf(const HullBox& box) const;
     glm::dvec3 airForce(const Air& air) const;
     double springForce(std::size_t wheel) const;
     void pressWheel(std::size_t wheel, double driveNm, double stepS);
@@ -154,8 +153,9 @@ private:
     std::shared_ptr<const RoadVehicleData> _data;
     std::shared_ptr<const EarthFrame> _earth;
     std::shared_ptr<BodyWorld> _world;
-    int _body = 0;
     RoadMassProperties _mass;
+    int _body = 0;
+    HullMeeting _meeting;
     std::array<double, 2> _restN{};
     std::array<double, 2> _hubZM{}; ///< at rest, above the reference point
     RoadInputs _inputs{};
@@ -168,9 +168,6 @@ private:
     double _timeS = 0.0, _startS = 0.0;
     std::int64_t _step = 0;
     VehicleStatus _status;
-    ObstacleMeeting _obstacles;
-    bool _hasMovers = false; ///< in the world of bodies
-    std::vector<int> _touchedMovers;
     std::optional<double> _waterM; ///< level of the water around it
     double _airShare = 1.0;        ///< of the hull that water has not filled
 };

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "simulation/vehicle/Hull.h"
 #include "simulation/vehicle/Table.h"
 
 namespace simulation
@@ -24,21 +25,6 @@ struct RoadMass
     double massKg = 0.0;
     glm::dvec3 place{0.0};
     glm::dvec3 inertiaKgM2{0.0}; ///< about its own centre: roll, pitch, yaw; a load is a point
-};
-
-/// A box of the body that may hit something.
-struct HullBox
-{
-    std::string name;
-    glm::dvec3 sizeM{0.0};
-    glm::dvec3 place{0.0}; ///< of its middle
-};
-
-struct HullData
-{
-    std::vector<HullBox> boxes;
-    double friction = 0.5;
-    double crashesAtMps = 0.0; ///< closing speed at which the vehicle counts as crashed
 };
 
 /// Areas are those of drag coefficients times frontal area, and so on.

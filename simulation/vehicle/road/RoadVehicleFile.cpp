@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "simulation/vehicle/HullFile.h"
 #include "simulation/vehicle/VehicleFileReader.h"
 
 namespace simulation
@@ -16,6 +17,7 @@ namespace
 
 constexpr std::size_t kMostRoadFileBytes = 4U << 20U;
 constexpr std::size_t kMostBoxes = 8, kMostGears = 24;
+constexpr double kWidestBoxM = 10.0;
 constexpr const char* kRoadPage = "docs/reference/road-vehicle-file.md";
 
 void readMasses(VehicleFileReader& reader, pugi::xml_node root, RoadVehicleData& data)
@@ -36,26 +38,6 @@ void readMasses(VehicleFileReader& reader, pugi::xml_node root, RoadVehicleData&
     const pugi::xml_node air = reader.child(root, "air");
     reader.onlyAttributes(air, "dragAreaM2 sideAreaM2");
     data.air = {reader.number(air, "dragAreaM2", 0.0, 100.0), reader.number(air, "sideAreaM2", 0.0, 1000.0)};
-}
-
-void readHull(VehicleFileReader& reader, pugi::xml_node root, HullData& hull)
-{
-    const pugi::xml_node node = reader.child(root, "hull");
-    reader.onlyAttributes(node, "friction crashesAtMps");
-    hull.friction = reader.number(node, "friction", 0.0, 2.0);
-    hull.crashesAtMps = reader.number(node, "crashesAtMps", 0.1, 100.0);
-    for (const pugi::xml_node box : node.children("box"))
-    {
-        reader.onlyAttributes(box, "lengthM widthM heightM xM yM zM");
-        hull.boxes.push_back(
-            {reader.name(box),
-             {reader.number(box, "lengthM", 0.1, 50.0), reader.number(box, "widthM", 0.1, 10.0),
-              reader.number(box, "heightM", 0.1, 10.0)},
-             reader.place(box)});
-    }
-    if (hull.boxes.empty() || hull.boxes.size() > kMostBoxes)
-        reader.fail(node, "<hull> has " + std::to_string(hull.boxes.size()) + " boxes",
-                    "give 1 to " + std::to_string(kMostBoxes) + ", the lowest first");
 }
 
 RoadTyreData readTyre(VehicleFileReader& reader, pugi::xml_node node)
@@ -268,7 +250,7 @@ foundation::Result<RoadVehicleData> readRoadSource(const foundation::XmlSource& 
     if (!reader.error())
         reader.onlyElements(root, "body load air hull tyre axle steering brakes engine gearbox performance");
     if (!reader.error()) readMasses(reader, root, data);
-    if (!reader.error()) readHull(reader, root, data.hull);
+    if (!reader.error()) data.hull = readHull(reader, reader.child(root, "hull"), kMostBoxes, kWidestBoxM);
     if (!reader.error()) readAxles(reader, root, data);
     if (!reader.error()) readControls(reader, root, data);
     if (!reader.error()) readEngine(reader, root, data.engine);

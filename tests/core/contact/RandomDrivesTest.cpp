@@ -23,7 +23,7 @@ std::shared_ptr<const ObstacleMap> randomThings()
 {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> place(-kHalfSideM, kHalfSideM), turn(0.0, 6.28), share(0.0, 1.0);
-    std::uniform_int_distribution<int> kind(0, static_cast<int>(ObstacleKind::count) - 1);
+    std::uniform_int_distribution<int> kind(0, kStandingKinds - 1);
     ObstacleList list;
     for (int i = 0; i < kThings; ++i)
     {

@@ -16,7 +16,8 @@ using reference::Page;
 
 const std::string& readerSource()
 {
-    static const std::string source = reference::sourceText("simulation/vehicle/flight/AircraftFile.cpp");
+    static const std::string source = reference::sourceText("simulation/vehicle/flight/AircraftFile.cpp") +
+                                      reference::sourceText("simulation/vehicle/HullFile.cpp");
     return source;
 }
 
@@ -39,7 +40,7 @@ Names attributes()
 Names attributesOf(const Page& page)
 {
     Names names = page.column("Elements", 1);
-    for (const char* heading : {"engine", "propeller"})
+    for (const char* heading : {"box", "engine", "propeller"})
         names.merge(page.column(heading, 0));
     for (const char* ofCoefficients : {"part", "over", "across"})
         names.erase(ofCoefficients);

@@ -15,7 +15,8 @@ using reference::Page;
 
 const std::string& roadReaderSource()
 {
-    static const std::string source = reference::sourceText("simulation/vehicle/road/RoadVehicleFile.cpp");
+    static const std::string source = reference::sourceText("simulation/vehicle/road/RoadVehicleFile.cpp") +
+                                      reference::sourceText("simulation/vehicle/HullFile.cpp");
     return source;
 }
 
