@@ -165,7 +165,11 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
     map.notes.push_back(source.string() + ": " + std::to_string(made.buildings.size()) + " buildings; " +
                         std::to_string(shapes->outside + made.beyondGround) + " beyond the ground, " +
                         std::to_string(shapes->lines + shapes->invalid + made.unusable) + " not usable");
-    if (wantsObstacles) scenery::addObstacles(made.buildings, map.obstacles);
+    if (wantsObstacles)
+    {
+        scenery::addObstacles(made.buildings, map.obstacles);
+        scenery::addRoofs(made.buildings, map.obstacles);
+    }
     for (const scenery::StandingBuilding& standing : made.buildings)
         noteLights(standing, map);
     map.standing.push_back({"buildings",

@@ -47,4 +47,39 @@ TEST(BuildingObstacles, LeaveAPassageOpenAndRoofsOnPosts)
     EXPECT_EQ(list.obstacles().front().lowM, 104.0);
 }
 
+/// The strips of a roof cover what lies inside the outline, and nothing else, up to the ridge over the
+/// middle.
+TEST(BuildingObstacles, HaveRoofsOverAllThatIsInside)
+{
+    scenery::StandingBuilding house = squareHouse();
+    house.building.rings.push_back({{4.0, 3.0}, {4.0, 5.0}, {6.0, 5.0}, {6.0, 3.0}}); // a courtyard
+    house.building.roofM = 3.0;
+    simulation::ObstacleList list;
+    scenery::addRoofs({house}, list);
+    const simulation::ObstacleMap map(list);
+    const auto highestAt = [&](const glm::dvec2& place)
+    {
+        double highest = 0.0;
+        for (std::uint32_t i = 0; i < map.size(); ++i)
+        {
+            const simulation::Obstacle& strip = map.at(i);
+            if (glm::all(glm::lessThan(glm::abs(place - strip.middle), strip.reachM())))
+                highest = std::max(highest, strip.highM);
+        }
+        return highest;
+    };
+    EXPECT_NEAR(highestAt({1.0, 0.3}), 105.0 + 3.0 / 6.0, 1e-9) << "over the eaves";
+    EXPECT_NEAR(highestAt({1.0, 3.9}), 105.0 + 3.0 * 5.0 / 6.0, 1e-9) << "beside the ridge";
+    EXPECT_EQ(highestAt({5.0, 4.1}), 0.0) << "a courtyard";
+    EXPECT_EQ(highestAt({10.2, 3.9}), 0.0) << "outside";
+    for (const simulation::Obstacle& strip : list.obstacles())
+        EXPECT_NEAR(strip.lowM, 104.7, 1e-9);
+    house.building.roof = scenery::RoofForm::flat;
+    house.building.roofM = 0.0;
+    simulation::ObstacleList flat;
+    scenery::addRoofs({house}, flat);
+    for (const simulation::Obstacle& strip : flat.obstacles())
+        EXPECT_NEAR(strip.highM, 105.0, 1e-9);
+}
+
 } // namespace
