@@ -53,6 +53,9 @@ void tellFlight(const simulation::VehicleMotion& motion, const HeightTable& heig
     if (!below.isKnown)
         std::printf("note: the flight ends beyond the elevation data, where there is no ground\n");
     if (!motion.note().empty()) std::printf("note: the aircraft %s\n", motion.note().c_str());
+    for (const simulation::Impact& impact : motion.vehicle().vehicle().impacts())
+        std::printf("impact: %s%s\n", simulation::textOf(impact).c_str(),
+                    impact.hasGiven ? ", which gave way" : "");
     const auto* jsbsim = dynamic_cast<const simulation::JsbsimVehicle*>(&motion.vehicle().vehicle());
     if (jsbsim && !jsbsim->note().empty()) std::printf("note: %s\n", jsbsim->note().c_str());
 }
@@ -97,6 +100,7 @@ foundation::Outcome checkFlight(const FlyRequest& request)
 foundation::Outcome fly(const FlyRequest& asked)
 {
     FlyRequest request = asked;
+    request.play.terrain.wantsObstacles = true;
     auto terrain = openWorld(request);
     if (!terrain) return terrain.error();
     std::shared_ptr<const simulation::Ground> ground = std::make_shared<simulation::LevelGround>();
@@ -112,7 +116,7 @@ foundation::Outcome fly(const FlyRequest& asked)
     if (terrain->airfield && !request.wind.empty()) terrain->airfield->setWind(request.windMps());
     request.conditions = inAirOf(*terrain, request.conditions);
     const HeightTable heights{terrain->terrain, terrain->cornerM};
-    FlightMaker maker(request, ground, terrain->origin());
+    FlightMaker maker(request, ground, terrain->origin(), terrain->obstacles);
     const auto motion = playRides(request, std::move(*terrain), maker);
     if (!motion) return motion.error();
     tellFlight(**motion, heights, *ground);

@@ -119,6 +119,7 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     start.z = below.heightM + from.heightM;
     auto aircraft = aircraftOf(_request, _origin);
     if (!aircraft) return aircraft.error();
+    (*aircraft)->meet(_obstacles);
     auto controller = controllerOf(_request, **aircraft, _earth, runwayOf(_request, *_ground));
     if (!controller) return controller.error();
     if (_request.hasWindow()) controller = seated(std::move(*controller), **aircraft);

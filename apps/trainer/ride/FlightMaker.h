@@ -16,14 +16,16 @@
 namespace trainer
 {
 
-/// Makes one flight after the other over one ground.
+/// Makes one flight after the other over one ground, among what stands there.
 class FlightMaker final : public RideMaker
 {
 public:
     FlightMaker(const FlyRequest& request, std::shared_ptr<const simulation::Ground> ground,
-                const std::optional<simulation::Geodetic>& origin)
+                const std::optional<simulation::Geodetic>& origin,
+                std::shared_ptr<const simulation::ObstacleMap> obstacles = nullptr)
         : _request(request),
           _ground(std::move(ground)),
+          _obstacles(std::move(obstacles)),
           _origin(origin),
           _earth(simulation::earthOf(origin)),
           _starts(startsOf(request))
@@ -41,6 +43,7 @@ private:
 
     const FlyRequest& _request;
     std::shared_ptr<const simulation::Ground> _ground;
+    std::shared_ptr<const simulation::ObstacleMap> _obstacles; ///< null: nothing stands there
     std::optional<simulation::Geodetic> _origin;
     std::shared_ptr<const simulation::EarthFrame> _earth;
     std::vector<FlightStart> _starts;
