@@ -68,19 +68,27 @@ inline simulation::ScenarioText moving(double speedMps)
     return text;
 }
 
-inline SeatedPlay seated(simulation::ScenarioText text, simulation::SeatSettings settings)
+/// Where somebody sits besides the road.
+struct SeatStage
+{
+    Roads roads = straight(); ///< null: level ground
+    std::shared_ptr<const simulation::ObstacleMap> obstacles{};
+};
+
+inline SeatedPlay seated(simulation::ScenarioText text, simulation::SeatSettings settings,
+                         const SeatStage& stage = {})
 {
     if (text.stop.empty()) text.stop = simulation::stopAt(1000.0);
     SeatedPlay play;
     auto parsed = simulation::parseScenario(text.text(), "test.xosc", {.tolerant = true, .parameters = {}});
     EXPECT_TRUE(parsed) << parsed.error().message();
     if (!parsed) return play;
-    const Stage stage;
-    const auto ground = std::make_shared<simulation::RoadSceneGround>(stage.roads);
+    std::shared_ptr<const simulation::Ground> ground = std::make_shared<simulation::LevelGround>();
+    if (stage.roads) ground = std::make_shared<simulation::RoadSceneGround>(stage.roads);
     settings.entity = "Ego";
     if (settings.vehicle.empty()) settings.vehicle = kCarFile;
-    auto seat =
-        simulation::PersonSeat::create(settings, parsed->scenario.entities[0], {ground, std::nullopt});
+    auto seat = simulation::PersonSeat::create(settings, parsed->scenario.entities[0],
+                                               {ground, std::nullopt, stage.obstacles});
     EXPECT_TRUE(seat) << seat.error().message();
     if (!seat) return play;
     simulation::PlayerOptions options;
