@@ -135,6 +135,7 @@ struct Wrecking
 struct Arrival
 {
     double speedMps = 40.0, downDeg = 3.0, bankDeg = 0.0, headingDeg = 0.0, heightM = 3.0, asideM = 0.0;
+    double onWaterS = 12.0; ///< how long water is watched
 };
 
 Wrecking arrive(Target target, const Arrival& how, bool meets = true)
@@ -142,7 +143,7 @@ Wrecking arrive(Target target, const Arrival& how, bool meets = true)
     static const auto data = testsupport::lightSingle();
     static const auto earth = testsupport::earthHere();
     Aircraft aircraft(data, earth);
-    const double longestS = target == Target::water ? 12.0 : kLongestS;
+    const double longestS = target == Target::water ? how.onWaterS : kLongestS;
     const bool stands = target != Target::ground && target != Target::water;
     const Obstacle thing = obstacleOf(target);
     ObstacleList list;
@@ -371,15 +372,13 @@ TEST(AircraftContact, AWingIsBentBeforeAllIsLost)
     EXPECT_EQ(lost.status().reason, "it hit a mast");
 }
 
-TEST(AircraftContact, ABentWingRollsItsAeroplane)
+TEST(AircraftContact, AnAeroplaneThatIsPlacedAnewIsWhole)
 {
-    const Aircraft bent = taxied(4.5, 4.5);
-    ASSERT_GT(bent.damage().wingLost[1], 0.0);
-    // placed anew it is whole again
-    Aircraft whole = taxied(4.5, 4.5);
-    whole.place(whole.flightState());
-    EXPECT_EQ(whole.damage().wingLost[1], 0.0);
-    EXPECT_TRUE(whole.impacts().empty());
+    Aircraft aircraft = taxied(4.5, 4.5);
+    ASSERT_GT(aircraft.damage().wingLost[1], 0.0);
+    aircraft.place(aircraft.flightState());
+    EXPECT_EQ(aircraft.damage().wingLost[1], 0.0);
+    EXPECT_TRUE(aircraft.impacts().empty());
 }
 
 TEST(AircraftContact, APropellerThatStrikesStopsTheEngine)
@@ -415,7 +414,7 @@ TEST(AircraftContact, AHardLandingBreaksTheGear)
 }
 
 /// As steep as the report has it: 8 200 ft/min into the sea, and onto the beach.
-TEST(AircraftContact, DitchingStopsFloatsAndSinks)
+TEST(AircraftContact, DitchingStopsFloatsAndThenSinksToTheBed)
 {
     Arrival how;
     how.speedMps = 60.0;
@@ -435,8 +434,13 @@ TEST(AircraftContact, DitchingStopsFloatsAndSinks)
     soft.heightM = 1.8;
     const Wrecking floats = arrive(Target::water, soft);
     EXPECT_EQ(floats.status.reason, "it came down on water");
-    EXPECT_GT(floats.end.z, -2.0) << "it floats for longer than the " << kLongestS << " s of the test";
+    EXPECT_GT(floats.end.z, -2.0) << "it floats for longer than " << soft.onWaterS << " s";
     EXPECT_LT(floats.end.z, 1.2) << "on the water, not over it";
+    soft.onWaterS = 300.0;
+    const Wrecking sinks = arrive(Target::water, soft);
+    EXPECT_LT(sinks.end.z, -2.5) << "it lies on the bed, 5 m down";
+    EXPECT_LT(sinks.restM, 0.1);
+    EXPECT_LT(sinks.endMps, 0.05);
 }
 
 } // namespace

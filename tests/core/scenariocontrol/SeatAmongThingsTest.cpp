@@ -53,7 +53,8 @@ TEST(SeatInAircraft, APersonFliesItAndTheAutopilotGoesOn)
         mostRollDeg = std::max(mostRollDeg, std::abs(play.ego().rollDeg));
     }
     EXPECT_EQ(play.player->told()[0].drivenBy, "person");
-    // An aircraft that begins in the air has its centre of mass where the reference point was, 1.3 m above it.
+    // An aircraft that begins in the air has its centre of mass where the reference point was, 1.3 m above
+    // it.
     EXPECT_LT(farthestM, 1.5) << "no farther leap when hands change";
     EXPECT_GT(mostRollDeg, 10.0) << "the person rolls it";
     EXPECT_TRUE(play.ego().aircraft);
