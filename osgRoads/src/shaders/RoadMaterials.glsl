@@ -38,10 +38,10 @@ vec3 roadSurface(vec2 filters)
     if (roadKind == 0)
     {
         float worn = roadIsLane() ? roadWearOfAsphalt(wide.g + 0.5 * wide.r, filters) : 1.0;
-        return vec3(0.098, 0.098, 0.100) * worn * (1.0 + 0.9 * stones + 0.30 * wide.b + 0.22 * wide.g + 0.14 * roadTracks());
+        return vec3(0.138, 0.137, 0.135) * worn * (1.0 + 0.75 * stones + 0.25 * wide.b + 0.18 * wide.g + 0.14 * roadTracks());
     }
     if (roadKind == 1) return vec3(0.27, 0.26, 0.245) * (1.0 + 0.25 * stones + 0.20 * wide.b);
-    if (roadKind == 2) return vec3(0.115, 0.112, 0.108) * (1.0 + 0.75 * stones + 0.35 * wide.b);
+    if (roadKind == 2) return vec3(0.150, 0.146, 0.139) * (1.0 + 0.75 * stones + 0.35 * wide.b);
     if (roadKind == 3) return vec3(0.30, 0.295, 0.285) * (1.0 + 0.25 * stones);
     if (roadKind == 4) return roadSlabs(vec3(0.235, 0.23, 0.22) * (1.0 + 0.20 * stones + 0.25 * wide.g), filters);
     if (roadKind == 5) return roadGravel(stones, wide.g);

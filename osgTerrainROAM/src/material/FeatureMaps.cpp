@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <utility>
 
 #include <foundation/PlainBytes.h>
@@ -22,7 +23,7 @@ namespace
 {
 
 constexpr int kRecordsPerRow = 1024; ///< a power of two: the shader divides by a shift and a mask
-constexpr int kMaxFarSide = 4096;
+constexpr int kMaxFarSide = 4096;    ///< of maps of four shares; twice that of maps of one
 
 osg::ref_ptr<osg::Image> floatImage(int width, int height)
 {
@@ -69,70 +70,112 @@ osg::ref_ptr<osg::Image> recordImage(const core::FeatureCells& cells)
     return image;
 }
 
+using FarShares = std::array<float, 8>; ///< crops, then river, asphalt, gravel, runway
+
+/// What a texel of the far maps holds.
+FarShares farShares(const core::FeatureCells& cells, int perCell, const glm::ivec2& texel)
+{
+    const double texelM = cells.cellM / perCell;
+    // Lists reach 16 m: a wider texel takes the mean of several filters.
+    const int parts = static_cast<int>(std::ceil(texelM / (2.0 * core::FeatureCells::kReachM)));
+    FarShares sums{};
+    for (int j = 0; j < parts; ++j)
+        for (int i = 0; i < parts; ++i)
+        {
+            const glm::dvec2 at = glm::dvec2(texel) + glm::dvec2((i + 0.5) / parts, (j + 0.5) / parts);
+            const glm::dvec2 place = glm::dvec2(cells.firstCell) * cells.cellM + at * texelM;
+            const core::FeatureCover cover = core::featureCover(cells, place, texelM / parts);
+            for (std::size_t c = 0; c < 4; ++c)
+                sums[c] += cover.crops[c];
+            for (const auto& [c, value] :
+                 {std::pair{4, cover.river}, {5, cover.asphalt}, {6, cover.gravel}, {7, cover.runway}})
+                sums[c] += value;
+        }
+    for (float& sum : sums)
+        sum = std::min(sum / static_cast<float>(parts * parts), 1.0f);
+    return sums;
+}
+
+unsigned char shareByte(float share)
+{
+    return static_cast<unsigned char>(std::lround(255.0f * share));
+}
+
+/// Calls `fill` with each texel of cells that list something, by several threads.
+void forFarTexels(const core::FeatureCells& cells, int perCell, const std::function<void(glm::ivec2)>& fill)
+{
+    const auto fillCell = [&](int column, int row)
+    {
+        const auto& cell = cells.cells[static_cast<std::size_t>(row) * cells.columns + column];
+        if (cell.areas + cell.lines + cell.strokes == 0) return;
+        for (int y = row * perCell; y < (row + 1) * perCell; ++y)
+            for (int x = column * perCell; x < (column + 1) * perCell; ++x)
+                fill({x, y});
+    };
+    parallelRows(cells.rows,
+                 [&](int first, int end)
+                 {
+                     for (int row = first; row < end; ++row)
+                         for (int column = 0; column < cells.columns; ++column)
+                             fillCell(column, row);
+                 });
+}
+
+/// An image of the far maps, of zeros. `format`: of texels and of the texture.
+osg::ref_ptr<osg::Image> farImage(const core::FeatureCells& cells, int perCell, GLenum format, GLint internal)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(cells.columns * perCell, cells.rows * perCell, 1, format, GL_UNSIGNED_BYTE);
+    image->setInternalTextureFormat(internal);
+    std::memset(image->data(), 0, image->getTotalSizeInBytes());
+    return image;
+}
+
 /// Paints the far maps.
 class FarPainter
 {
 public:
     osg::ref_ptr<osg::Image> crops, beds;
 
-    FarPainter(const core::FeatureCells& cells, int texelsPerCell) : _perCell(texelsPerCell)
+    FarPainter(const core::FeatureCells& cells, int perCell)
+        : crops(farImage(cells, perCell, GL_RGBA, GL_RGBA8)),
+          beds(farImage(cells, perCell, GL_RGBA, GL_RGBA8))
     {
-        crops = new osg::Image;
-        beds = new osg::Image;
-        for (osg::Image* image : {crops.get(), beds.get()})
-        {
-            image->allocateImage(cells.columns * _perCell, cells.rows * _perCell, 1, GL_RGBA,
-                                 GL_UNSIGNED_BYTE);
-            image->setInternalTextureFormat(GL_RGBA8);
-            std::memset(image->data(), 0, image->getTotalSizeInBytes());
-        }
-        parallelRows(cells.rows,
-                     [&](int first, int end)
+        forFarTexels(cells, perCell,
+                     [&](const glm::ivec2& texel)
                      {
-                         for (int row = first; row < end; ++row)
-                             for (int column = 0; column < cells.columns; ++column)
-                                 fillCell(cells, column, row);
+                         const FarShares shares = farShares(cells, perCell, texel);
+                         for (unsigned c = 0; c < 8; ++c)
+                             (c < 4 ? crops : beds)->data(texel.x, texel.y)[c & 3] = shareByte(shares[c]);
                      });
     }
-
-private:
-    void fillCell(const core::FeatureCells& cells, int column, int row) const
-    {
-        const auto& cell = cells.cells[static_cast<std::size_t>(row) * cells.columns + column];
-        if (cell.areas + cell.lines + cell.strokes == 0) return;
-        for (int y = row * _perCell; y < (row + 1) * _perCell; ++y)
-            for (int x = column * _perCell; x < (column + 1) * _perCell; ++x)
-                fillTexel(cells, x, y);
-    }
-
-    void fillTexel(const core::FeatureCells& cells, int x, int y) const
-    {
-        const double texelM = cells.cellM / _perCell;
-        // Lists reach 16 m: a wider texel takes the mean of several filters.
-        const int parts = static_cast<int>(std::ceil(texelM / (2.0 * core::FeatureCells::kReachM)));
-        float sums[8]{};
-        for (int j = 0; j < parts; ++j)
-            for (int i = 0; i < parts; ++i)
-            {
-                const glm::dvec2 at(x + (i + 0.5) / parts, y + (j + 0.5) / parts);
-                const glm::dvec2 place = glm::dvec2(cells.firstCell) * cells.cellM + at * texelM;
-                const core::FeatureCover cover = core::featureCover(cells, place, texelM / parts);
-                for (std::size_t c = 0; c < 4; ++c)
-                    sums[c] += cover.crops[c];
-                for (const auto& [c, value] :
-                     {std::pair{4, cover.river}, {5, cover.asphalt}, {6, cover.gravel}, {7, cover.runway}})
-                    sums[c] += value;
-            }
-        const std::size_t texel = 4 * (static_cast<std::size_t>(y) * crops->s() + x);
-        for (std::size_t c = 0; c < 8; ++c)
-            (c < 4 ? crops : beds)->data()[texel + (c & 3)] =
-                static_cast<unsigned char>(std::lround(255.0f * std::min(sums[c] / (parts * parts), 1.0f)));
-    }
-
-    const int _perCell;
 };
 
-FeatureMaps gridOf(const core::FeatureCells& cells, int mostPerCell)
+/// Whether cells list roads of asphalt and nothing else.
+bool listAsphaltAlone(const core::FeatureCells& cells)
+{
+    for (const core::FeatureCells::Cell& cell : cells.cells)
+    {
+        if (cell.areas + cell.strokes > 0) return false;
+        for (std::uint32_t i = 0; i < cell.lines; ++i)
+            if ((static_cast<int>(cells.records[cell.first + 2 * i + 1][2]) & 15) !=
+                static_cast<int>(core::FeatureKind::road))
+                return false;
+    }
+    return true;
+}
+
+/// The share of asphalt alone: a quarter of the memory of beds.
+osg::ref_ptr<osg::Image> asphaltImage(const core::FeatureCells& cells, int perCell)
+{
+    const osg::ref_ptr<osg::Image> image = farImage(cells, perCell, GL_RED, GL_R8);
+    forFarTexels(cells, perCell,
+                 [&](const glm::ivec2& texel)
+                 { *image->data(texel.x, texel.y) = shareByte(farShares(cells, perCell, texel)[5]); });
+    return image;
+}
+
+FeatureMaps gridOf(const core::FeatureCells& cells, int mostPerCell, int mostSide = kMaxFarSide)
 {
     FeatureMaps maps;
     maps.firstCell = cells.firstCell;
@@ -140,7 +183,7 @@ FeatureMaps gridOf(const core::FeatureCells& cells, int mostPerCell)
     maps.rows = cells.rows;
     maps.cellM = cells.cellM;
     maps.farPerCell = mostPerCell;
-    while (maps.farPerCell > 1 && std::max(cells.columns, cells.rows) * maps.farPerCell > kMaxFarSide)
+    while (maps.farPerCell > 1 && std::max(cells.columns, cells.rows) * maps.farPerCell > mostSide)
         maps.farPerCell /= 2;
     return maps;
 }
@@ -213,10 +256,12 @@ FeatureMaps FeatureMaps::of(const core::FeatureCells& cells, const foundation::K
 FeatureMaps FeatureMaps::farOf(const core::FeatureCells& cells, const foundation::KeptFrom& kept)
 {
     constexpr int kMaxBedsPerCell = 16;
-    FeatureMaps maps = gridOf(cells, kMaxBedsPerCell);
+    const bool isAsphalt = listAsphaltAlone(cells);
+    FeatureMaps maps = gridOf(cells, kMaxBedsPerCell, isAsphalt ? 2 * kMaxFarSide : kMaxFarSide);
     if (cells.cells.empty()) return maps;
-    maps.beds =
-        keptImage(kept, "beds", markOf(cells, maps), [&] { return FarPainter(cells, maps.farPerCell).beds; });
+    const auto paint = [&]
+    { return isAsphalt ? asphaltImage(cells, maps.farPerCell) : FarPainter(cells, maps.farPerCell).beds; };
+    maps.beds = keptImage(kept, isAsphalt ? "asphalt" : "beds", markOf(cells, maps), paint);
     return maps;
 }
 

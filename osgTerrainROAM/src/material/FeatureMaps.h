@@ -30,7 +30,7 @@ struct FeatureMaps
     int farPerCell = 1; ///< texels of the far maps along a cell
     std::vector<core::FeatureCells::Runway> runways;
     Image cells, records, crops; ///< null where only beds are wanted
-    Image beds;
+    Image beds; ///< river, asphalt, gravel, runway; asphalt alone (GL_RED) where farOf() found nothing else
 
     /// Of everything that is painted. Cost: about 1 µs a texel of the far maps where something is painted;
     /// several threads. `kept`: what follows from the program alone; the far maps are found there the second
@@ -38,6 +38,7 @@ struct FeatureMaps
     static FeatureMaps of(const core::FeatureCells& cells, const foundation::KeptFrom& kept = {});
 
     /// Of beds alone, with texels of a sixteenth of a cell or more; without images where there are no cells.
+    /// Where roads of asphalt are all there is, the map has one share and up to 8192×8192 texels.
     static FeatureMaps farOf(const core::FeatureCells& cells, const foundation::KeptFrom& kept = {});
 };
 

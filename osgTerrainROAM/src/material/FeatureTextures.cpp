@@ -16,6 +16,8 @@ void addTexture(osg::StateSet& stateSet, const char* name, int unit, osg::Image*
 {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setResizeNonPowerOfTwoHint(false);
+    if (image->getPixelFormat() == GL_RED)
+        texture->setSwizzle(osg::Vec4i(GL_ZERO, GL_RED, GL_ZERO, GL_ZERO)); // asphalt
     texture->setFilter(osg::Texture::MIN_FILTER,
                        filtered ? osg::Texture::LINEAR_MIPMAP_LINEAR : osg::Texture::NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, filtered ? osg::Texture::LINEAR : osg::Texture::NEAREST);

@@ -25,10 +25,10 @@ struct Month
 
 const std::array<Month, 12>& months()
 {
-    static const osg::Vec3f kYoung(0.085f, 0.130f, 0.030f), kGreen(0.150f, 0.165f, 0.050f),
+    static const osg::Vec3f kYoung(0.066f, 0.102f, 0.025f), kGreen(0.106f, 0.126f, 0.038f),
         kRipe(0.330f, 0.250f, 0.095f);
     static const osg::Vec3f kStubble(0.250f, 0.205f, 0.110f), kEarth(0.140f, 0.108f, 0.078f);
-    static const osg::Vec3f kLeaves(0.075f, 0.120f, 0.030f), kSprouts(0.120f, 0.118f, 0.060f),
+    static const osg::Vec3f kLeaves(0.056f, 0.090f, 0.023f), kSprouts(0.105f, 0.100f, 0.052f),
         kDry(0.190f, 0.145f, 0.080f);
     static const std::array<Month, 12> table{
         {{1.0f, 0.0f, 0.75f, -2300.0f, mixed(kEarth, kYoung, 0.5f), kEarth},
@@ -66,14 +66,14 @@ GroundPalette earlySummer(const Climate& climate)
     GroundPalette palette;
     palette.rock = of({0.200f, 0.190f, 0.180f}, {0.300f, 0.175f, 0.110f});
     palette.soil = of({0.175f, 0.150f, 0.115f}, {0.370f, 0.245f, 0.155f});
-    palette.dryGrass = of({0.165f, 0.165f, 0.070f}, {0.330f, 0.260f, 0.150f});
-    palette.meadow = of({0.085f, 0.130f, 0.032f}, {0.200f, 0.190f, 0.095f});
+    palette.dryGrass = of({0.138f, 0.137f, 0.060f}, {0.330f, 0.260f, 0.150f});
+    palette.meadow = of({0.064f, 0.100f, 0.027f}, {0.200f, 0.190f, 0.095f});
     palette.forest = of({0.032f, 0.056f, 0.022f}, {0.080f, 0.095f, 0.045f});
     palette.sand = of({0.380f, 0.320f, 0.225f}, {0.420f, 0.330f, 0.220f});
     palette.snow = of({0.830f, 0.845f, 0.860f}, {0.830f, 0.845f, 0.860f});
     palette.water = of({0.012f, 0.040f, 0.055f}, {0.015f, 0.045f, 0.055f});
-    palette.crops = {osg::Vec3f(0.150f, 0.165f, 0.050f), osg::Vec3f(0.075f, 0.120f, 0.030f),
-                     osg::Vec3f(0.090f, 0.145f, 0.035f), osg::Vec3f(0.045f, 0.075f, 0.022f)};
+    palette.crops = {osg::Vec3f(0.106f, 0.126f, 0.038f), osg::Vec3f(0.056f, 0.090f, 0.023f),
+                     osg::Vec3f(0.070f, 0.112f, 0.029f), osg::Vec3f(0.042f, 0.070f, 0.021f)};
     palette.fieldSoil = of({0.135f, 0.105f, 0.075f}, {0.280f, 0.195f, 0.130f});
     return palette;
 }

@@ -37,11 +37,11 @@ vec3 pavedAlbedo(vec3 albedo, Paint paint, Grain g)
 {
     float worn = smoothstep(0.25, 0.75, paint.marks.y + 0.9 * g.metres2.w + 0.5 * g.metres28.w);
     albedo = mix(albedo, featureSoil * 1.1, worn * min(2.0 * paint.marks.y, 0.75));
-    vec3 gravel = vec3(0.27, 0.24, 0.195) * (1.0 + 0.7 * g.metres2.z + 0.3 * g.metres28.z);
+    vec3 gravel = vec3(0.27, 0.245, 0.205) * (1.0 + 0.7 * g.metres2.z + 0.3 * g.metres28.z);
     albedo = mix(albedo, gravel, paint.beds.z);
     float stone = 1.0 + 0.35 * g.metres2.z + 0.15 * g.metres28.z + 0.12 * g.metres324.w;
-    albedo = mix(albedo, vec3(0.088, 0.087, 0.086) * stone * (1.0 - 0.14 * paint.marks.z), paint.beds.y);
-    albedo = mix(albedo, vec3(0.070, 0.071, 0.073) * stone, paint.beds.w);
+    albedo = mix(albedo, vec3(0.145, 0.143, 0.139) * stone * (1.0 - 0.14 * paint.marks.z), paint.beds.y);
+    albedo = mix(albedo, vec3(0.105, 0.105, 0.105) * stone, paint.beds.w);
     float paved = max(paint.beds.y, paint.beds.w);
     return mix(albedo, vec3(0.60, 0.60, 0.57) * (1.0 + 0.25 * g.metres2.z), min(paint.marks.x, paved) * 0.92);
 }

@@ -68,6 +68,6 @@ vec2 featureMapPlace(vec2 place, ivec4 grid, float cellM)
 vec2 featureMapScale(ivec4 grid, float cellM) { return 1.0 / (cellM * vec2(grid.zw)); }
 
 // What the shares of beds mean for marks: a part of a road's asphalt is white paint.
-vec4 marksOfBeds(vec4 beds) { return vec4(0.03 * beds.y + 0.07 * beds.w, 0.05 * beds.y, 0.25, 0.02 * beds.w); }
+vec4 marksOfBeds(vec4 beds) { return vec4(0.015 * beds.y + 0.07 * beds.w, 0.05 * beds.y, 0.25, 0.02 * beds.w); }
 
 vec4 featureRecord(int index) { return texelFetch(featureRecords, ivec2(index & 1023, index >> 10), 0); }

@@ -10,21 +10,41 @@ uniform int featureRunwayCount;
 uniform vec4 featureRunways[16];
 uniform float featureRunwayHalfM[16];
 
-// The share of a footprint on runways. `at`: metres from the first cell. Exact across and along a runway where the footprint lies so.
-float runwayShare(vec2 at, Footprint f)
+// The white share of a footprint `size` (along, across) at `at` (along from one end, aside from the middle line) on a runway: what
+// RunwayStrokes.cpp paints, but for designators; bars and dashes by their mean.
+float runwayWhite(vec2 at, vec2 size, float lengthM, float halfM)
 {
-    float share = 0.0;
+    float line = halfM < 15.0 ? 0.45 : 0.9, middle = halfM < 15.0 ? 0.3 : 0.9;
+    float whole = covered(at.x, size.x, 0.0, lengthM);
+    float white = whole * coveredTwice(at.y, size.y, halfM - line, halfM);
+    white += 0.6 * covered(at.x, size.x, 69.0, lengthM - 69.0) * covered(at.y, size.y, -0.5 * middle, 0.5 * middle);
+    float bars = covered(at.x, size.x, 6.0, 36.0) + covered(at.x, size.x, lengthM - 36.0, lengthM - 6.0);
+    white += 0.5 * bars * coveredTwice(at.y, size.y, 0.9, halfM - 2.7);
+    float from = lengthM < 1200.0 ? 250.0 : lengthM < 2400.0 ? 300.0 : 400.0, to = from + (lengthM < 1200.0 ? 30.0 : 45.0);
+    float inner = 0.5 * min(0.6 * halfM, 18.0), wide = lengthM < 1200.0 ? 4.0 : 6.0;
+    float aims = covered(at.x, size.x, from, to) + covered(at.x, size.x, lengthM - to, lengthM - from);
+    return white + (lengthM > 800.0 ? aims * coveredTwice(at.y, size.y, inner, inner + wide) : 0.0);
+}
+
+// The share of a footprint on runways, and that of their marks. `at`: metres from the first cell. Exact across and along a runway where the
+// footprint lies so.
+vec2 runwayShares(vec2 at, Footprint f)
+{
+    vec2 shares = vec2(0.0);
     for (int i = 0; i < featureRunwayCount; ++i)
     {
         vec2 way = featureRunways[i].zw - featureRunways[i].xy;
-        float lengthM = length(way);
+        float lengthM = length(way), halfM = featureRunwayHalfM[i];
         vec2 along = way / lengthM, left = vec2(-along.y, along.x), away = at - featureRunways[i].xy;
-        float width = max(abs(dot(f.x, left)) + abs(dot(f.y, left)), 1e-3);
-        float reach = max(abs(dot(f.x, along)) + abs(dot(f.y, along)), 1e-3);
-        share = max(share, covered(dot(away, left), width, -featureRunwayHalfM[i], featureRunwayHalfM[i]) *
-                               covered(dot(away, along), reach, 0.0, lengthM));
+        vec2 place = vec2(dot(away, along), dot(away, left));
+        vec2 size = max(vec2(abs(dot(f.x, along)) + abs(dot(f.y, along)), abs(dot(f.x, left)) + abs(dot(f.y, left))), vec2(1e-3));
+        float share = covered(place.y, size.y, -halfM, halfM) * covered(place.x, size.x, 0.0, lengthM);
+        shares.x = max(shares.x, share);
+        // No branch: software drawing leaves out a loop that no pixel of a group enters.
+        for (int j = share > 0.0 && lengthM >= 200.0 && halfM >= 4.0 ? 0 : 1; j < 1; ++j)
+            shares.y = max(shares.y, runwayWhite(place, size, lengthM, halfM));
     }
-    return share;
+    return shares;
 }
 
 // `f`: the whole footprint, its longer side first; the maps are read over a quarter of that.
@@ -33,8 +53,15 @@ Paint paintOfMaps(vec2 place, Footprint f)
     vec2 at = featureMapPlace(place, featureGrid, featureCellM), scale = featureMapScale(featureGrid, featureCellM);
     vec2 part = 0.25 * f.x * scale, shorter = f.y * scale;
     vec4 beds = textureGrad(featureFarBeds, at, part, shorter);
-    if (featureRunwayCount > 0) beds.w = runwayShare(at / scale, f);
+    vec4 marks = marksOfBeds(beds);
+    if (featureRunwayCount > 0)
+    {
+        vec2 runway = runwayShares(at / scale, f);
+        beds.w = runway.x;
+        marks = marksOfBeds(vec4(beds.xyz, 0.0));
+        marks.xw += vec2(runway.y, 0.02 * runway.x);
+    }
     vec4 crops = textureGrad(featureFarCrops, at, part, shorter);
     float soil = dot(crops, kMeanSoil) / max(dot(crops, vec4(1.0)), 1e-3);
-    return Paint(crops, beds, marksOfBeds(beds), vec2(soil, 1.0), vec2(0.0));
+    return Paint(crops, beds, marks, vec2(soil, 1.0), vec2(0.0));
 }

@@ -14,8 +14,11 @@ vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds)
     if (roadKind == 7)
     {
         float raggedM = roadAt.y + 1.3 * g.metres2.w + 0.9 * g.metres28.w + 0.5 * g.metres2.z;
-        float gravel = 0.85 * (1.0 - smoothstep(0.25, 0.75, raggedM));
-        ground = mix(ground, vec3(0.19, 0.175, 0.15) * (1.0 + 0.9 * g.metres2.z), gravel);
+        float gravel = 0.85 * (1.0 - smoothstep(0.45, 1.05, raggedM));
+        // Beyond the gravel grass is mown, and dry.
+        float mown = 0.5 * (1.0 - smoothstep(1.6, 2.4, raggedM));
+        ground = mix(ground, terrainDryGrass * (1.0 + 0.7 * g.metres2.z), mown);
+        ground = mix(ground, vec3(0.235, 0.215, 0.18) * (1.0 + 0.7 * g.metres2.z), gravel);
         // Here and there wheels have left the road, and pressed a rut into the grass.
         float rut = max(1.0 - abs(raggedM - 0.9) * 3.0, 0.0) * smoothstep(0.05, 0.18, g.metres28.z + 0.6 * g.metres324.w);
         ground = mix(ground, vec3(0.105, 0.085, 0.06) * (1.0 + 0.8 * g.metres2.z), 0.7 * rut);

@@ -54,7 +54,7 @@ Brightness seenFrom(core::RoadMesh mesh, double heightM, double widthM)
         for (int column = 0; column < picture->s(); ++column)
         {
             const osg::Vec4 colour = picture->getColor(column, row);
-            if (colour.g() > 0.55F) seen.bright += one;
+            if (colour.g() > 0.64F) seen.bright += one;
             seen.mean += one * static_cast<double>(colour.r() + colour.g() + colour.b()) / 3.0;
         }
     return seen;

@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <osg/Program>
-
 #include <osgOffscreen/ImageComparison>
 
 #include "FeatureScene.h"
@@ -106,27 +104,6 @@ double worstStripErrorPx(double east, double widthM)
     }
     return std::max(std::abs(left - camera.pixelOf(osg::Vec3d(east - 15.5, 20000.0, 0.0)).x()),
                     std::abs(right - camera.pixelOf(osg::Vec3d(east + 15.5, 20000.0, 0.0)).x()));
-}
-
-/// A program whose fragment shader has one piece of text replaced.
-void mutate(RoamTerrain& terrain, const std::string& from, const std::string& to)
-{
-    auto* program = static_cast<osg::Program*>(
-        terrain.material()->stateSet()->getAttribute(osg::StateAttribute::PROGRAM));
-    const osg::ref_ptr<osg::Program> changed = new osg::Program;
-    bool found = false;
-    for (unsigned i = 0; i < program->getNumShaders(); ++i)
-    {
-        std::string text = program->getShader(i)->getShaderSource();
-        if (const std::size_t at = text.find(from); at != std::string::npos)
-        {
-            text.replace(at, from.size(), to);
-            found = true;
-        }
-        changed->addShader(new osg::Shader(program->getShader(i)->getType(), text));
-    }
-    ASSERT_TRUE(found) << from;
-    terrain.material()->stateSet()->setAttributeAndModes(changed);
 }
 
 /// Pixels that flash: brighter or darker than in the frame before and after by more than kFlash levels. Above
@@ -300,7 +277,7 @@ std::array<double, 2> marksBesideAsphalt(const std::string& define, const std::s
 {
     const auto terrain = plain({line(FeatureKind::runway, 45.0, {20000.0, 20000.0}, {20000.0, 22000.0})});
     if (!define.empty()) terrain->material()->stateSet()->setDefine(define);
-    if (!mutated.empty()) mutate(*terrain, mutated, "if (true)");
+    if (!mutated.empty()) mutate(*terrain, mutated, "paint.marks.xw = vec2(0.0)");
     Camera camera(terrain);
     const auto spread = [&](double north)
     {
@@ -329,9 +306,10 @@ TEST(FeaturePaint, ARunwayHasItsMarksAtEveryQuality)
         EXPECT_GT(marks[0], 0.8 * high[0]) << "middle line, " << define;
         EXPECT_GT(marks[1], 0.8 * high[1]) << "threshold, " << define;
     }
-    const auto byMap = marksBesideAsphalt("PICTURE_LOW", "if (list.w == 0.0 && !listsMarkedRoad(list))");
-    EXPECT_LT(byMap[0], 0.3 * high[0]) << "the control: by the maps alone there are none";
-    EXPECT_LT(byMap[1], 0.3 * high[1]);
+    const auto without =
+        marksBesideAsphalt("PICTURE_LOW", "paint.marks.xw = mix(strokes.marks.xw, paint.marks.xw, far)");
+    EXPECT_LT(without[0], 0.3 * high[0]) << "the control: the marks are left out";
+    EXPECT_LT(without[1], 0.3 * high[1]);
 }
 
 /// How much brighter than asphalt the edge line and the middle line of a road are, in levels, from 12 m above

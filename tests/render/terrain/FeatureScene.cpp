@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FeatureScene.h"
 
+#include <string>
+
 #include <gtest/gtest.h>
+
+#include <osg/Program>
 
 #include "RenderedPicture.h"
 #include "SyntheticField.h"
@@ -49,7 +53,7 @@ core::GroundFeature line(core::FeatureKind kind, double widthM, const glm::dvec2
     return feature;
 }
 
-Camera::Camera(osg::Node* scene)
+Camera::Camera(osg::Node* scene, double fieldOfViewDeg)
 {
     osgOffscreen::OffscreenSettings settings;
     settings.backend = rendered::backends().front();
@@ -58,7 +62,7 @@ Camera::Camera(osg::Node* scene)
     settings.samples = 1; // a share of a pixel has to come from the shader
     _viewer = rendered::viewerOf(scene, settings);
     const double aspect = static_cast<double>(kWidthPx) / kHeightPx;
-    _viewer->camera().setProjectionMatrixAsPerspective(kFieldOfViewDeg, aspect, 0.3, 60000.0);
+    _viewer->camera().setProjectionMatrixAsPerspective(fieldOfViewDeg, aspect, 0.3, 60000.0);
 }
 
 osg::ref_ptr<osg::Image> Camera::picture(const osg::Vec3d& eye, const osg::Vec3d& ahead, const osg::Vec3d& up)
@@ -72,6 +76,26 @@ osg::Vec2d Camera::pixelOf(const osg::Vec3d& place) const
     const osg::Vec3d clip =
         place * _viewer->camera().getViewMatrix() * _viewer->camera().getProjectionMatrix();
     return {0.5 * (clip.x() + 1.0) * kWidthPx, 0.5 * (clip.y() + 1.0) * kHeightPx};
+}
+
+void mutate(RoamTerrain& terrain, const std::string& from, const std::string& to)
+{
+    auto* program = static_cast<osg::Program*>(
+        terrain.material()->stateSet()->getAttribute(osg::StateAttribute::PROGRAM));
+    const osg::ref_ptr<osg::Program> changed = new osg::Program;
+    bool found = false;
+    for (unsigned i = 0; i < program->getNumShaders(); ++i)
+    {
+        std::string text = program->getShader(i)->getShaderSource();
+        if (const std::size_t at = text.find(from); at != std::string::npos)
+        {
+            text.replace(at, from.size(), to);
+            found = true;
+        }
+        changed->addShader(new osg::Shader(program->getShader(i)->getType(), text));
+    }
+    ASSERT_TRUE(found) << from;
+    terrain.material()->stateSet()->setAttributeAndModes(changed);
 }
 
 double level(const osg::Image& picture, int x, int y)

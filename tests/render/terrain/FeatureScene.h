@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <osgOffscreen/OffscreenViewer>
@@ -27,7 +28,7 @@ osgTerrainROAM::core::GroundFeature line(osgTerrainROAM::core::FeatureKind kind,
 class Camera
 {
 public:
-    explicit Camera(osg::Node* scene);
+    explicit Camera(osg::Node* scene, double fieldOfViewDeg = kFieldOfViewDeg);
 
     osg::ref_ptr<osg::Image> picture(const osg::Vec3d& eye, const osg::Vec3d& ahead, const osg::Vec3d& up);
 
@@ -37,6 +38,9 @@ public:
 private:
     std::unique_ptr<osgOffscreen::OffscreenViewer> _viewer;
 };
+
+/// Replaces one piece of text of the ground's shaders, which must hold it.
+void mutate(osgTerrainROAM::RoamTerrain& terrain, const std::string& from, const std::string& to);
 
 /// Mean of the three channels, 0…255.
 double level(const osg::Image& picture, int x, int y);

@@ -148,6 +148,9 @@ void expectKnown(const Known& known, const osg::Vec3d& seen)
 {
     SCOPED_TRACE(known.name + " " + std::to_string(seen.x()) + " " + std::to_string(seen.y()) + " " +
                  std::to_string(seen.z()));
+    testing::Test::RecordProperty(known.name, std::to_string(luminance(seen)) + ": " +
+                                                  std::to_string(seen.x()) + ", " + std::to_string(seen.y()) +
+                                                  ", " + std::to_string(seen.z()));
     EXPECT_GT(luminance(seen), known.least);
     EXPECT_LT(luminance(seen), known.most);
     EXPECT_TRUE(hasColour(seen, known.colour));

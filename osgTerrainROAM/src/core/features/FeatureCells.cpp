@@ -56,10 +56,11 @@ std::vector<FeatureCells::Runway> runwaysOf(const std::vector<GroundFeature>& fe
 {
     std::vector<FeatureCells::Runway> runways;
     for (const GroundFeature& feature : features)
-        if (feature.style.kind == FeatureKind::runway && !feature.isArea)
+        if (feature.style.kind == FeatureKind::runway && !feature.isArea &&
+            feature.style.pavement == Pavement::asphalt)
             for (const auto& path : feature.paths)
-                for (std::size_t i = 0; i + 1 < path.size(); ++i)
-                    runways.push_back({path[i], path[i + 1], feature.style.widthM});
+                if (path.front() != path.back())
+                    runways.push_back({path.front(), path.back(), feature.style.widthM});
     return runways;
 }
 
