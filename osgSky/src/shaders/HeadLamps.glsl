@@ -26,6 +26,8 @@ vec3 headLight(vec3 fromEyeWorld, vec3 normalWorld)
     float spread = exp(-6.0 * across * across);
     // A little stray light above the edge shows signs and trunks.
     float beam = mix(1.0, 1.0 / (max(below, 0.0) + 0.03), smoothstep(-0.004, 0.012, below));
+    // Little goes down steeply: the road right before the car is no brighter than that a few lengths ahead.
+    beam /= 1.0 + 100.0 * below * below;
     return vec3(1.0, 0.94, 0.82) * (28.0 * spread * beam * facing / (distanceM * sqrt(distanceM)));
 #else
     return vec3(0.0);

@@ -66,6 +66,7 @@ TEST(HeadLampBeam, LightsTheGroundBeforeTheCarAlone)
     EXPECT_GT(greenAt(*lit, 12.0, 0.0), greenAt(*dark, 12.0, 0.0) + 0.2);
     EXPECT_GT(greenAt(*lit, 35.0, 0.0), greenAt(*dark, 35.0, 0.0) + 0.05) << "it ends too soon";
     EXPECT_GT(greenAt(*lit, 12.0, 0.0), greenAt(*lit, 12.0, 12.0)) << "it does not end at the sides";
+    EXPECT_LT(greenAt(*lit, 4.0, 0.0), greenAt(*lit, 10.0, 0.0)) << "a white pool before the bumper";
     EXPECT_EQ(greenAt(*lit, -12.0, 0.0), greenAt(*dark, -12.0, 0.0)) << "it lights what is behind";
     EXPECT_EQ(greenAt(*darkAgain, 12.0, 0.0), greenAt(*dark, 12.0, 0.0)) << "it cannot be switched off";
 }
