@@ -9,7 +9,7 @@
 #include <osg/ref_ptr>
 
 inline constexpr double kMostLevels = 1.0;
-inline constexpr double kMostLevelsOfSquare = 6.0; ///< a sign of 5 × 5 pixels that appears
+inline constexpr double kMostLevelsOfSquare = 6.5; ///< a sign of 5 × 5 pixels that appears
 inline constexpr int kSquarePx = 10;
 
 /// How much two images differ, levels of 255.
