@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <vector>
 
 #include "scenery/roads/things/Placers.h"
 #include "scenery/roads/things/RoadLine.h"
@@ -18,7 +21,8 @@ using osgRoads::core::RoadStructure;
 constexpr double kDeckM = 1.2, kEdgeM = 0.2, kEdgeWidthM = 0.4,
                  kSideM = 0.5; ///< thickness; edges above the road; beyond the lanes
 constexpr double kRailM = 1.1,
-                 kRailPostEveryM = 2.0; ///< height of the railing (German RAL-ING: 1.0 m and above)
+                 kRailPostEveryM = 2.0;           ///< height of the railing (German RAL-ING: 1.0 m and above)
+constexpr double kLookM = 0.5, kLeastEdgeM = 1.0; ///< between places of an edge; its shortest piece
 constexpr double kPierEveryM = 30.0, kPierRadiusM = 0.6, kPierClearM = 2.5; ///< clear of roads below
 
 /// Whether another road lies under a place of this one, near enough to be in the way of a pier.
@@ -79,6 +83,43 @@ void addPiers(const PlacedNetwork& placed, int road, const RoadStructure& bridge
     }
 }
 
+/// A stretch of a road, in metres along it.
+struct Stretch
+{
+    double from = 0.0, to = 0.0;
+};
+
+/// Returns where the edge of a bridge stands on no lanes of another road at its height: where ways come
+/// together on a bridge, the edge of one would stand across the other.
+std::vector<Stretch> clearOfOthers(const PlacedNetwork& placed, int road, const RoadLine& edge)
+{
+    const auto isClear = [&](double s)
+    {
+        const glm::dvec3 place = placed.surfacePoint(road, s, edge.lineT(s));
+        const auto isLevel = [&](const osgRoads::core::RoadMatch& other)
+        {
+            const auto& at = other.position;
+            return std::abs(placed.surfacePoint(at.road, at.s, at.t).z - place.z) < kDeckM;
+        };
+        return !placed.locator().holdsOnOther(glm::dvec2(placed.toInertial(place)), 0.5 * kEdgeWidthM, road,
+                                              isLevel);
+    };
+    const int steps = std::max(1, static_cast<int>(std::ceil((edge.sEnd - edge.s) / kLookM)));
+    std::vector<Stretch> clear;
+    bool wasClear = false;
+    for (int i = 0; i <= steps; ++i)
+    {
+        const double share = static_cast<double>(i) / steps;
+        const double s = edge.s * (1.0 - share) + edge.sEnd * share;
+        const bool isNow = isClear(s);
+        if (isNow && wasClear) clear.back().to = s;
+        if (isNow && !wasClear) clear.push_back({s, s});
+        wasClear = isNow;
+    }
+    std::erase_if(clear, [](const Stretch& stretch) { return stretch.to - stretch.from < kLeastEdgeM; });
+    return clear;
+}
+
 /// Adds the raised edge of a deck and the railing on it. `side`: 1 to the left.
 void addEdge(const PlacedNetwork& placed, int road, const RoadStructure& bridge, int side, RoadThings& into)
 {
@@ -91,27 +132,32 @@ void addEdge(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
     edge.profileAt = [](double) { return boxProfile(0.5 * kEdgeWidthM, -kDeckM, kEdgeM); };
     edge.body = simulation::ObstacleKind::bridgeRail;
     edge.bodyTopM = kRailM;
-    addRoadLine(placed, road, edge, into);
-    RoadLine bar = edge;
-    bar.body.reset(); // within that of the edge
-    bar.surface = models::kPlain;
-    bar.uvPerM = 0.0;
-    bar.tint = {0.50F, 0.52F, 0.53F};
-    for (const double high : {0.45, 0.75, kRailM})
-    {
-        bar.profileAt = [high](double) { return boxProfile(0.025, high - 0.05, high); };
-        addRoadLine(placed, road, bar, into);
-    }
     models::RoadModel post;
     post.kind = models::RoadModel::Kind::pole;
     post.widthM = 0.06;
     post.heightM = kRailM - 0.02;
-    for (double s = bridge.s + 0.5; s < bridge.s + bridge.length; s += kRailPostEveryM)
+    for (const Stretch& stretch : clearOfOthers(placed, road, edge))
     {
-        StandingThing thing;
-        thing.position = placed.surfacePoint(road, s, edge.lineT(s));
-        thing.axes = uprightAxes(placed, road, s, edge.lineT(s), 0.0);
-        addStanding(into, post, thing);
+        edge.s = stretch.from;
+        edge.sEnd = stretch.to;
+        addRoadLine(placed, road, edge, into);
+        RoadLine bar = edge;
+        bar.body.reset(); // within that of the edge
+        bar.surface = models::kPlain;
+        bar.uvPerM = 0.0;
+        bar.tint = {0.50F, 0.52F, 0.53F};
+        for (const double high : {0.45, 0.75, kRailM})
+        {
+            bar.profileAt = [high](double) { return boxProfile(0.025, high - 0.05, high); };
+            addRoadLine(placed, road, bar, into);
+        }
+        for (double s = stretch.from + 0.5; s < stretch.to; s += kRailPostEveryM)
+        {
+            StandingThing thing;
+            thing.position = placed.surfacePoint(road, s, edge.lineT(s));
+            thing.axes = uprightAxes(placed, road, s, edge.lineT(s), 0.0);
+            addStanding(into, post, thing);
+        }
     }
 }
 
