@@ -4,25 +4,12 @@
 #include <cmath>
 
 #include "simulation/control/ControlSwitch.h"
-#include "simulation/control/driver/ManualDriver.h"
-#include "simulation/control/flight/ManualPilot.h"
+#include "simulation/control/ManualControllerFor.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/vehicle/WeatherAir.h"
 
 namespace osgSession::core
 {
-
-namespace
-{
-
-foundation::Result<simulation::ManualController> manualFor(const simulation::DynamicVehicle& vehicle)
-{
-    if (const auto* const car = dynamic_cast<const simulation::RoadVehicle*>(&vehicle))
-        return simulation::manualDriver(*car);
-    return simulation::manualPilot(vehicle);
-}
-
-} // namespace
 
 foundation::Result<DrivenVehicle> DrivenVehicle::create(const std::filesystem::path& file,
                                                         std::shared_ptr<const simulation::Ground> ground,
@@ -31,7 +18,7 @@ foundation::Result<DrivenVehicle> DrivenVehicle::create(const std::filesystem::p
 {
     auto vehicle = simulation::openVehicle(file, origin, seed);
     if (!vehicle) return vehicle.error();
-    auto manual = manualFor(**vehicle);
+    auto manual = simulation::manualControllerFor(**vehicle);
     if (!manual) return manual.error();
     auto seat = std::make_unique<simulation::ControlSwitch>(nullptr, std::move(*manual), true);
     simulation::ManualController* const seated = &seat->manual();

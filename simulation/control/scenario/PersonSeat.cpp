@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "simulation/control/ManualControllerFor.h"
 #include "simulation/control/RecordedInputs.h"
-#include "simulation/control/driver/ManualDriver.h"
-#include "simulation/control/flight/ManualPilot.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/scenario/Scenario.h"
 #include "simulation/scenario/VisitActions.h"
 #include "simulation/vehicle/WeatherAir.h"
+#include "simulation/vehicle/road/RoadVehicle.h"
 
 namespace simulation
 {
@@ -19,12 +19,6 @@ namespace
 {
 
 constexpr const char* kPerson = "person"; ///< the column
-
-foundation::Result<ManualController> handsFor(const DynamicVehicle& vehicle)
-{
-    if (const auto* const car = dynamic_cast<const RoadVehicle*>(&vehicle)) return manualDriver(*car);
-    return manualPilot(vehicle);
-}
 
 bool isSeat(const ScenarioObject& object)
 {
@@ -69,7 +63,7 @@ foundation::Result<std::shared_ptr<PersonSeat>> PersonSeat::create(SeatSettings 
                                  std::string(flies ? "is an aircraft, but " : "is a road vehicle, but ") +
                                      object.name + (flies ? " drives" : " flies"),
                                  "give the data file of another"};
-    if (const auto manual = handsFor(*seat->_model); !manual) return manual.error();
+    if (const auto manual = manualControllerFor(*seat->_model); !manual) return manual.error();
     seat->_isAsked = seat->_settings.isTakenAtStart;
     if (const auto read = seat->readInputsFile(); !read) return read.error();
     const InputRecorder recorder(*seat->_model);
@@ -143,7 +137,7 @@ bool PersonSeat::isWanted(double timeS) const
 foundation::Result<std::unique_ptr<VehicleController>> PersonSeat::makeControls(const DynamicVehicle& vehicle,
                                                                                 std::int64_t firstStep) const
 {
-    auto manual = handsFor(vehicle);
+    auto manual = manualControllerFor(vehicle);
     if (!manual) return manual.error();
     std::unique_ptr<VehicleController> recorded;
     if (_inputs)
