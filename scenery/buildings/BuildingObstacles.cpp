@@ -5,6 +5,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "scenery/buildings/Outline.h"
+#include "scenery/buildings/RoofPlanes.h"
+
 namespace scenery
 {
 
@@ -14,19 +17,6 @@ namespace
 std::string_view nameOf(const Building& building)
 {
     return building.openings == Openings::hangar ? "hangar" : "building";
-}
-
-/// The direction of the longest edge of a ring.
-glm::dvec2 longestEdge(const std::vector<glm::dvec2>& ring)
-{
-    glm::dvec2 longest(0.0);
-    for (std::size_t i = 0; i < ring.size(); ++i)
-    {
-        const glm::dvec2 edge = ring[(i + 1) % ring.size()] - ring[i];
-        if (glm::length(edge) > glm::length(longest)) longest = edge;
-    }
-    const double length = glm::length(longest);
-    return length > 1e-6 ? longest / length : glm::dvec2(1.0, 0.0);
 }
 
 /// Where a line, parallel to `along` and `beside` it, crosses the rings: ascending, inside between each two.
@@ -47,50 +37,30 @@ std::vector<double> crossingsOf(const std::vector<std::vector<glm::dvec2>>& ring
     return crossings;
 }
 
-/// How much of the roof's height stands over a place between both eaves, 0…1 across the ridge.
-double heightShare(RoofForm form, double share)
-{
-    switch (form)
-    {
-    case RoofForm::flat:
-        return 1.0;
-    case RoofForm::skillion:
-        return 0.5;
-    case RoofForm::round:
-        return std::sqrt(std::max(0.0, 4.0 * share * (1.0 - share)));
-    default:
-        return 1.0 - std::abs(2.0 * share - 1.0);
-    }
-}
-
 void addRoof(const StandingBuilding& standing, simulation::ObstacleList& obstacles)
 {
     constexpr double kSlabM = 0.3, kNarrowestM = 1.0, kStrips = 6.0;
     const Building& building = standing.building;
-    const std::vector<glm::dvec2>& outer = building.rings.front();
-    glm::dvec2 along = longestEdge(outer);
-    if (building.isRidgeAcross) along = {-along.y, along.x};
-    const glm::dvec2 across(-along.y, along.x);
-    double least = 1e9, most = -1e9;
-    for (const glm::dvec2& corner : outer)
-    {
-        least = std::min(least, glm::dot(corner, across));
-        most = std::max(most, glm::dot(corner, across));
-    }
-    const double widthM = std::max(kNarrowestM, (most - least) / kStrips);
-    const int strips = std::max(1, static_cast<int>(std::ceil((most - least) / widthM - 1e-9)));
-    const double stripM = (most - least) / strips, eavesM = standing.floorM + building.eavesM;
+    const RoofPlanes roof(building);
+    const PlanRectangle box = rectangleAround(building.rings.front());
+    const glm::dvec2 along = building.isRidgeAcross ? box.across() : box.along, across(-along.y, along.x);
+    const double widthM = 2.0 * (building.isRidgeAcross ? box.halfLengthM : box.halfWidthM);
+    const double wishedM = std::max(kNarrowestM, widthM / kStrips);
+    const int strips = std::max(1, static_cast<int>(std::ceil(widthM / wishedM - 1e-9)));
+    const double stripM = widthM / strips, firstM = glm::dot(box.middle, across) - 0.5 * widthM;
+    const double eavesM = standing.floorM + building.eavesM;
     for (int strip = 0; strip < strips; ++strip)
     {
-        const double beside = least + (strip + 0.5) * stripM;
-        const std::vector<double> crossings = crossingsOf(building.rings, along, beside);
+        const double besideM = firstM + (strip + 0.5) * stripM;
+        const std::vector<double> crossings = crossingsOf(building.rings, along, besideM);
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
         {
-            simulation::Obstacle part = simulation::pieceBetween(
-                simulation::ObstacleKind::house, crossings[i] * along + beside * across,
-                crossings[i + 1] * along + beside * across, stripM);
+            const glm::dvec2 from = crossings[i] * along + besideM * across,
+                             to = crossings[i + 1] * along + besideM * across;
+            simulation::Obstacle part =
+                simulation::pieceBetween(simulation::ObstacleKind::house, from, to, stripM);
             part.lowM = eavesM - kSlabM;
-            part.highM = eavesM + building.roofM * heightShare(building.roof, (strip + 0.5) / strips);
+            part.highM = eavesM + roof.heightM(0.5 * (from + to));
             obstacles.add(part, nameOf(building));
         }
     }
