@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DPROGRAM=… -DOUTPUT=… -DPREFIX=… -DLABEL=… -DTIMEOUT=… -DSPLIT=suite,suite -P DiscoverSuites.cmake: writes OUTPUT,
+# cmake -DPROGRAM=… -DOUTPUT=… -DPREFIX=… -DLABELS=label,label -DTIMEOUT=… -DSPLIT=suite,suite -P DiscoverSuites.cmake: writes OUTPUT,
 # the ctest file of a GoogleTest program: one ctest test a suite, which runs in one process and makes its fixtures once;
 # of a suite named in SPLIT one a test, so that a long suite spreads over the cores. Run after each link (TestTargets.cmake).
 cmake_minimum_required(VERSION 3.25)
@@ -8,13 +8,14 @@ if(failed)
     message(FATAL_ERROR "${PROGRAM} does not list its tests: ${failed}")
 endif()
 string(REPLACE "," ";" SPLIT "${SPLIT}")
+string(REPLACE "," ";" LABELS "${LABELS}")
 
 # A suite all of whose tests were skipped, and none failed.
 set(all_skipped "\\\\[  PASSED  \\\\] 0 tests\\\\.\n\\\\[  SKIPPED \\\\] [0-9]+ tests?, listed below:\n(\\\\[  SKIPPED \\\\] [^\n]*\n)+$")
 set(text "")
 function(entry name filter)
     string(APPEND text "add_test([==[${PREFIX}${name}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}]==])\n"
-        "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES LABELS ${LABEL} TIMEOUT ${TIMEOUT} "
+        "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES LABELS \"${LABELS}\" TIMEOUT ${TIMEOUT} "
         "SKIP_REGULAR_EXPRESSION \"${all_skipped}\")\n")
     set(text "${text}" PARENT_SCOPE)
 endfunction()

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Programs that test: GoogleTest and libFuzzer.
 
-# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ... [TIMEOUT s] [SPLIT suite…] [OPTIMISED]): a GoogleTest
+# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ... [TIMEOUT s] [SPLIT suite…] [OPTIMISED] [CHECKED]): a GoogleTest
 # program, one ctest test a suite, or a test in the suites that SPLIT names: long ones whose tests share nothing.
+# ./check builds the target `checked` and runs the tests of that label: those of label core, and those that say CHECKED (decision 103).
 # Most tests compute little in their own code, next to that of the libraries, and are compiled in little more than half the
 # time without optimisation. OPTIMISED: this one computes so much that it would run for seconds longer.
 # In a build of large units, tests that tests/JoinedTests.cmake joins are one program instead.
@@ -83,7 +84,7 @@ function(osgtrainer_joined_program program)
 endfunction()
 
 function(osgtrainer_test_program name)
-    cmake_parse_arguments(arg "OPTIMISED" "LABEL;TIMEOUT" "SOURCES;LINK;SPLIT" ${ARGN})
+    cmake_parse_arguments(arg "OPTIMISED;CHECKED" "LABEL;TIMEOUT" "SOURCES;LINK;SPLIT" ${ARGN})
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 600)
     endif()
@@ -104,11 +105,16 @@ function(osgtrainer_test_program name)
     endif()
     target_compile_options(${name} PRIVATE
         $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>) # false alarm: a unity file includes only sources
+    set(labels ${arg_LABEL})
+    if(arg_CHECKED OR arg_LABEL STREQUAL "core")
+        string(APPEND labels ",checked")
+        add_dependencies(checked ${name})
+    endif()
     set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
     list(JOIN arg_SPLIT "," split)
     add_custom_command(TARGET ${name} POST_BUILD VERBATIM
         COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${suites} -DPREFIX=${OSGTRAINER_TEST_PREFIX}
-            -DLABEL=${arg_LABEL} -DTIMEOUT=${arg_TIMEOUT} -DSPLIT=${split} -P ${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake)
+            -DLABELS=${labels} -DTIMEOUT=${arg_TIMEOUT} -DSPLIT=${split} -P ${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake)
     set(included ${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake)
     file(WRITE ${included} "if(EXISTS [==[${suites}]==])\n    include([==[${suites}]==])\nelse()\n"
         "    add_test(${OSGTRAINER_TEST_PREFIX}${name}_NOT_BUILT ${name}_NOT_BUILT)\nendif()\n")

@@ -8,12 +8,12 @@
 
 #include <foundation/Result.h>
 
-/// The limits of the tree's weight, by name: "demo units", "demo lines", "all units", "all lines", and
+/// The limits of the tree's weight, by name: "PART units" and "PART lines" for each of kParts, and
 /// "header PREFIX" for each header whose path begins with the prefix and with no longer one.
 using Limits = std::map<std::string, long>;
 
 /// Reads lines of a name and a number; what follows # is a comment.
-/// Errors: the file is not there, a line is neither, a name stands twice, one of the four totals is missing.
+/// Errors: the file is not there, a line is neither, a name stands twice.
 foundation::Result<Limits> readLimits(const std::filesystem::path& file);
 
 /// The name of the limit that binds a header; empty if none does.

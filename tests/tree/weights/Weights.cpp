@@ -29,34 +29,36 @@ foundation::Result<Weights> weigh(const std::filesystem::path& lists, const std:
 {
     auto units = readUnits(lists);
     if (!units) return units.error();
-    std::vector<std::vector<std::string>> names;
-    for (const char* list : {"demo.txt", "all.txt", "headers.txt", "system.txt", "read.txt"})
+    std::map<std::string, std::vector<std::string>> names;
+    std::vector<const char*> wanted(kParts.begin(), kParts.end());
+    wanted.insert(wanted.end(), {"headers", "system", "read"});
+    for (const char* name : wanted)
     {
-        auto found = readList(lists / list);
+        const std::filesystem::path list = lists / (std::string(name) + ".txt");
+        auto found = readList(list);
         if (!found) return found.error();
         if (found->empty())
-            return foundation::Error{(lists / list).string(), "lists nothing",
-                                     "build the tree first (./check)"};
-        names.push_back(std::move(*found));
+            return foundation::Error{list.string(), "lists nothing", "build the tree first (./check --long)"};
+        names.emplace(name, std::move(*found));
     }
     std::vector<std::string>& folders = units->folders;
-    folders.insert(folders.end(), names[3].begin(), names[3].end());
-    Weights weights{IncludeGraph(folders, root, overlay, {names[4].begin(), names[4].end()}), {}, {}, {}};
-    const std::set<std::string> demoObjects(names[0].begin(), names[0].end()),
-        allObjects(names[1].begin(), names[1].end());
-    for (const Unit& unit : units->units)
+    folders.insert(folders.end(), names["system"].begin(), names["system"].end());
+    Weights weights{
+        IncludeGraph(folders, root, overlay, {names["read"].begin(), names["read"].end()}), {}, {}};
+    for (const char* part : kParts)
     {
-        const bool demo = demoObjects.contains(unit.object);
-        if (!demo && !allObjects.contains(unit.object)) continue;
-        const IncludeGraph::File file = weights.graph.find(unit.source);
-        const Weighed weighed{unit.object, file < 0 ? 0 : weights.graph.weight(file)};
-        weights.all.push_back(weighed);
-        if (demo) weights.demo.push_back(weighed);
+        const std::set<std::string> objects(names[part].begin(), names[part].end());
+        for (const Unit& unit : units->units)
+        {
+            if (!objects.contains(unit.object)) continue;
+            const IncludeGraph::File file = weights.graph.find(unit.source);
+            weights.units[part].emplace_back(unit.object, file < 0 ? 0 : weights.graph.weight(file));
+        }
+        heaviestFirst(weights.units[part]);
     }
-    for (const std::string& header : names[2])
+    for (const std::string& header : names["headers"])
         if (const IncludeGraph::File file = weights.graph.find((root / header).string()); file >= 0)
             weights.headers.emplace_back(header, weights.graph.weight(file));
-    for (auto* list : {&weights.demo, &weights.all, &weights.headers})
-        heaviestFirst(*list);
+    heaviestFirst(weights.headers);
     return weights;
 }

@@ -25,10 +25,13 @@ int fail(const std::string& message)
 /// What is measured under each name of a total.
 std::map<std::string, long> totals(const Weights& weights)
 {
-    return {{"demo units", static_cast<long>(weights.demo.size())},
-            {"demo lines", Weights::sum(weights.demo)},
-            {"all units", static_cast<long>(weights.all.size())},
-            {"all lines", Weights::sum(weights.all)}};
+    std::map<std::string, long> measured;
+    for (const auto& [part, units] : weights.units)
+    {
+        measured[part + " units"] = static_cast<long>(units.size());
+        measured[part + " lines"] = Weights::sum(units);
+    }
+    return measured;
 }
 
 /// The heaviest of the files that a header includes itself: what each brings, and the way to the largest file
@@ -55,11 +58,16 @@ int checkTotals(const Weights& weights, const Limits& limits)
     int failures = 0;
     for (const auto& [name, measured] : totals(weights))
     {
+        if (!limits.contains(name))
+        {
+            failures += fail("the limit '" + name + "' is missing; bring it back");
+            continue;
+        }
         std::cout << name << ": " << measured << " of " << limits.at(name) << "\n";
         if (measured <= limits.at(name)) continue;
         failures += fail("'" + name + "' is " + std::to_string(measured) + ", and may be " +
                          std::to_string(limits.at(name)) + "; the heaviest units:");
-        const std::vector<Weighed>& units = name.starts_with("demo") ? weights.demo : weights.all;
+        const std::vector<Weighed>& units = weights.units.at(name.substr(0, name.find(' ')));
         for (std::size_t i = 0; i < std::min(kShown, units.size()); ++i)
             std::cerr << "    " << units[i].second << " " << units[i].first << "\n";
     }
@@ -118,7 +126,7 @@ int propose(const Weights& weights, const Limits& limits)
 
 int list(const Weights& weights)
 {
-    for (const auto& [name, lines] : weights.all)
+    for (const auto& [name, lines] : weights.units.at("all"))
         std::cout << "unit " << lines << " " << name << "\n";
     for (const auto& [name, lines] : weights.headers)
         std::cout << "header " << lines << " " << name << "\n";
