@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "simulation/control/VehicleMotion.h"
+#include "simulation/state/EnvironmentState.h"
 #include "view/CockpitReadings.h"
 
 namespace trainer
@@ -41,7 +42,7 @@ void SceneInterior::update(const PlayScene& play, const simulation::ScenarioPlay
         cockpitReadings({entity, play.scene->lampsOf(play.watched),
                          moved ? &moved->vehicle().vehicle() : nullptr, _flies, _seaHeightM, _altimeterHpa});
     _view->update(scenery::poseOf(entity), eye, rig.setup().channels.front(), readings,
-                  ScenarioScene::isDark(player.environment()), pace);
+                  simulation::isDark(player.environment()), pace);
 }
 
 scenery::Pose bent(const scenery::Pose& eye, double upDeg)

@@ -10,6 +10,7 @@
 #include "scenery/lights/Allard.h"
 #include "scenery/lights/LitTimes.h"
 #include "scenery/nodes/Sky.h"
+#include "simulation/state/EnvironmentState.h"
 
 namespace trainer
 {
@@ -101,19 +102,13 @@ void ScenarioScene::showSignals(const std::map<std::string, std::string>& states
     }
 }
 
-bool ScenarioScene::isDark(const simulation::EnvironmentState& environment)
-{
-    constexpr double kDuskDeg = 2.0; // of the sun's elevation
-    return environment.sun.elevationDeg < kDuskDeg;
-}
-
 void ScenarioScene::show(const simulation::ScenarioPlayer& player,
                          const std::vector<simulation::EntityState>& entities)
 {
     const auto& sun = player.environment().sun;
     const osg::Vec3d towards = osgSky::sunDirectionFromAngles(sun.azimuthDeg, sun.elevationDeg);
     const EntityModel::Light light{{towards.x(), towards.y(), towards.z()},
-                                   isDark(player.environment()),
+                                   simulation::isDark(player.environment()),
                                    player.timeS(),
                                    _sunlit->isShown() ? _mapsReachM : 0.0,
                                    _eye};

@@ -46,9 +46,6 @@ public:
     /// Returns one line for each model that differs from the one asked for.
     std::vector<std::string> notes() const;
 
-    /// Whether lamps are on: the sun is lower than 2 degrees.
-    static bool isDark(const simulation::EnvironmentState& environment);
-
     /// Sets entities, traffic lights, sun, atmosphere and weather to the state of the player.
     void show(const simulation::ScenarioPlayer& player) { show(player, player.entities()); }
 

@@ -7,6 +7,7 @@
 
 #include <foundation/Angle.h>
 
+#include "simulation/state/EnvironmentState.h"
 #include "simulation/vehicle/ScenarioWeather.h"
 
 namespace simulation
@@ -15,7 +16,6 @@ namespace
 {
 
 constexpr double kSlenderM = 1.0, kCarM = 2.5; ///< what is smaller is a person, not a vehicle
-constexpr double kDuskDeg = 3.0;               ///< of the sun, below which one drives with light
 
 std::string_view wordOf(VehicleCondition condition)
 {
@@ -146,7 +146,7 @@ void VehicleMotion::advanceTo(double timeS, const Traffic& traffic)
     if (traffic.environment)
     {
         takeWeather(*traffic.environment);
-        _isDark = traffic.environment->sun.elevationDeg < kDuskDeg;
+        _isDark = isDark(*traffic.environment);
     }
     _touched.clear();
     for (int done = 0; _vehicle->now().timeS < timeS - _startS - kSameTimeS; ++done)

@@ -14,6 +14,12 @@ constexpr DateTime kDefaultDateTime{1'718'964'000'000}; // 2024-06-21T10:00:00Z
 
 } // namespace
 
+bool isDark(const EnvironmentState& environment)
+{
+    constexpr double kDuskDeg = 3.0;
+    return environment.sun.elevationDeg < kDuskDeg;
+}
+
 EnvironmentClock::EnvironmentClock(const std::optional<Geodetic>& origin, const WorldAir& world)
     : _place(origin.value_or(Geodetic{45.0, 0.0, 0.0})), _givenSun(world.sun)
 {

@@ -26,6 +26,10 @@ struct EnvironmentState
     std::string roadWetness = "dry";                ///< in the standard's words
 };
 
+/// Whether lamps burn: those of vehicles, instruments and what stands in the scene. From 3° of the sun above
+/// the horizon down, when drivers switch their head lamps on.
+bool isDark(const EnvironmentState& environment);
+
 /// What a world says of its own air; absent: nothing.
 struct WorldAir
 {

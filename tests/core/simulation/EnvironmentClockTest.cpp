@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What an unsaid sky is like, and which of scenario, world and usual goes first.
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "simulation/state/EnvironmentState.h"
@@ -18,6 +20,17 @@ TEST(EnvironmentClock, BeginsByDayAtEveryLongitude)
     EXPECT_EQ(EnvironmentClock(Geodetic{46.0, 14.9, 0.0}).at(0.0).dateTime,
               EnvironmentClock(std::nullopt).at(0.0).dateTime)
         << "within 15 degrees of Greenwich it is 10:00 UTC";
+}
+
+TEST(EnvironmentClock, LampsBurnFromThreeDegreesOfTheSunDown)
+{
+    EnvironmentState environment;
+    for (const auto& [elevationDeg, dark] :
+         {std::pair{60.0, false}, {3.1, false}, {2.9, true}, {-30.0, true}})
+    {
+        environment.sun.elevationDeg = elevationDeg;
+        EXPECT_EQ(isDark(environment), dark) << elevationDeg;
+    }
 }
 
 TEST(EnvironmentClock, TheScenarioGoesBeforeTheWorldAndTheWorldBeforeTheDefault)
