@@ -143,6 +143,7 @@ void addMap(MapScenery& map, SceneTerrain& scene)
     for (const StandingPart& part : map.standing)
         group->addChild(part.node);
     scene.standing = std::move(map.standing);
+    scene.houses = map.houses;
     scene.node = group;
 }
 

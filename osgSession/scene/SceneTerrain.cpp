@@ -88,6 +88,8 @@ SceneTerrain moved(SceneTerrain scene, const glm::dvec2& corner)
     place->addChild(scene.node);
     scene.node = place;
     scene.cornerM = corner;
+    for (glm::dvec2& house : scene.houses)
+        house += corner;
     if (scene.obstacles)
         scene.obstacles = std::make_shared<const simulation::ObstacleMap>(scene.obstacles->moved(corner));
     return scene;

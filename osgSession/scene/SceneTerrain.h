@@ -54,6 +54,7 @@ struct SceneTerrain
     std::optional<double> seaLevelM{};  ///< z of the sea at the scene's origin; absent: not known
     glm::dvec2 cornerM{0.0};            ///< of the terrain's frame in that of the scene
     std::vector<SceneRunway> runways{}; ///< those of its maps
+    std::vector<glm::dvec2> houses{};   ///< of its maps, where people live or work
     std::vector<StandingPart> standing{};
     simulation::WorldAir air{};                                       ///< as the world file has it
     std::optional<double> moonlight{};                                ///< the same

@@ -6,6 +6,7 @@
 
 #include "simulation/tour/FlightPlan.h"
 #include "simulation/tour/HeightProfile.h"
+#include "simulation/tour/SightPlans.h"
 #include "simulation/tour/TourScenario.h"
 
 namespace simulation
@@ -28,14 +29,20 @@ struct Choice
     HeightProfile profile;
 };
 
-Choice bestChoice(const TourTerrain& terrain, const ReliefMap& map, const TourScale& scale)
+Choice bestChoice(const TourTerrain& terrain, const ReliefMap& map, const TourScale& scale, double durationS)
 {
     Choice best;
     double bestScore = -1e300;
-    for (const FlightPlan& plan : flightPlans(terrain, map, scale))
+    std::vector<FlightPlan> plans;
+    if (!terrain.sights.empty()) plans = sightPlans(terrain, map, scale, durationS);
+    const bool isPastSights = !plans.empty();
+    if (!isPastSights) plans = flightPlans(terrain, map, scale);
+    for (const FlightPlan& plan : plans)
     {
         HeightProfile profile = heightProfile(plan, terrain, scale);
-        const double score = plan.score - kExcessWeight * profile.excess;
+        const double shown =
+            isPastSights ? shownSights(plan, profile, terrain, scale, durationS) : plan.score;
+        const double score = shown - kExcessWeight * profile.excess;
         if (score <= bestScore) continue;
         bestScore = score;
         best = {plan, std::move(profile)};
@@ -110,7 +117,7 @@ foundation::Result<Tour> layTour(const TourTerrain& terrain, const TourOptions& 
                                  "give a terrain of two samples or more in each direction"};
     const TourScale scale = TourScale::of(terrain, options.durationS);
     const ReliefMap map(terrain);
-    const Choice choice = bestChoice(terrain, map, scale);
+    const Choice choice = bestChoice(terrain, map, scale, options.durationS);
     if (!map.isFinite() || choice.plan.places.empty())
         return foundation::Error{"tour", "the terrain has heights that are not numbers", "fill its voids"};
 

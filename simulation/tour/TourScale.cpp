@@ -16,6 +16,7 @@ constexpr double kLargestBankDeg = 24.0;
 constexpr double kLargestTurnDegPerS = 6.0;
 constexpr double kLargestClimbDeg = 8.0;
 constexpr double kLargestSinkDeg = 13.0;
+constexpr double kSightsMps = 110.0; ///< at most where there is something to look at
 
 } // namespace
 
@@ -23,7 +24,8 @@ TourScale TourScale::of(const TourTerrain& terrain, double durationS)
 {
     const double side = std::max(terrain.widthM(), terrain.depthM());
     TourScale scale;
-    scale.speedMps = std::min(std::clamp(side / 50.0, 15.0, 240.0), 0.5 * side / durationS);
+    scale.speedMps = std::min(std::clamp(side / 50.0, 15.0, terrain.sights.empty() ? 240.0 : kSightsMps),
+                              0.5 * side / durationS);
     scale.lengthM = scale.speedMps * durationS;
     scale.mediumM = 0.1 * std::min(scale.lengthM, 20.0 * scale.speedMps);
     scale.lowM = 0.55 * scale.mediumM;

@@ -7,9 +7,9 @@ namespace simulation
 {
 
 /// The speed, the heights and the turns of a flight that fit a terrain.
-/// From the longer side D of the extent: the speed is D/50 per second, 15…240 m/s, and at most D/2 in the
-/// whole flight; heights above the ground are in proportion to the distance flown, so that the climb allows
-/// them.
+/// From the longer side D of the extent: the speed is D/50 per second, 15…240 m/s, 110 m/s at most past
+/// sights, and at most D/2 in the whole flight; heights above the ground are in proportion to the distance
+/// flown, so that the climb allows them.
 struct TourScale
 {
     double speedMps = 0.0;

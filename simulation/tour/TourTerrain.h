@@ -5,12 +5,24 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
 
 #include "simulation/geodesy/LocalFrame.h"
 #include "simulation/scenario/Scenario.h"
 
 namespace simulation
 {
+
+/// Something that one who shows a country flies past: a town, a village, a runway, a stretch of shore.
+/// Frame: the scene's. Units: metres.
+struct Sight
+{
+    glm::dvec2 place{0.0}; ///< its middle
+    double radiusM = 100.0;
+    double weight = 1.0; ///< about 1: a town
+};
 
 /// A terrain as the tour and the drive need it.
 /// Frame: the scene's east-north-up. Units: metres.
@@ -30,6 +42,8 @@ struct TourTerrain
 
     /// Tells whether the ground was measured, not filled in where the data have a void. Empty: all of it was.
     std::function<bool(double eastM, double northM)> isMeasured{};
+
+    std::vector<Sight> sights{}; ///< what the country has to show; empty: relief alone
 
     double widthM() const { return eastM - westM; }
     double depthM() const { return northM - southM; }

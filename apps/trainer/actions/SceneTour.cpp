@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SceneTour.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <variant>
 #include <vector>
+
+#include <foundation/Angle.h>
 
 #include <osgDB/FileNameUtils>
 
@@ -15,6 +18,7 @@
 #include "simulation/tour/LayDrive.h"
 #include "simulation/tour/LayTour.h"
 #include "simulation/tour/RideEnvironment.h"
+#include "simulation/tour/Sights.h"
 
 namespace trainer
 {
@@ -24,6 +28,7 @@ namespace
 
 constexpr double kSpareWayM =
     40.0; ///< beyond what is driven, so that the drive does not stop before its time
+constexpr double kRunwayWeight = 0.8; ///< of one of 1000 m or more; a town's is about 1
 
 std::string percent(double share)
 {
@@ -54,9 +59,27 @@ bool isDrive(const PlayRequest& request)
     }
 }
 
-foundation::Result<SceneTour> layFlight(const SceneTerrain& scene, const simulation::TourTerrain& terrain,
+/// What a world has to show: settlements, runways, shores. Nothing where nobody lives: relief is then all.
+std::vector<simulation::Sight> sightsOf(const SceneTerrain& scene, const simulation::TourTerrain& terrain)
+{
+    std::vector<simulation::Sight> sights = simulation::settlementSights(scene.houses);
+    for (const SceneRunway& runway : scene.runways)
+    {
+        const double lengthM = runway.strip.lengthM, course = foundation::radiansOf(runway.strip.courseDeg);
+        sights.push_back(
+            {runway.strip.threshold + 0.5 * lengthM * glm::dvec2(std::sin(course), std::cos(course)),
+             0.5 * lengthM, kRunwayWeight * std::clamp(lengthM / 1000.0, 0.3, 1.0)});
+    }
+    if (sights.empty() || !scene.seaLevelM) return sights;
+    const std::vector<simulation::Sight> shores = simulation::shoreSights(terrain, *scene.seaLevelM);
+    sights.insert(sights.end(), shores.begin(), shores.end());
+    return sights;
+}
+
+foundation::Result<SceneTour> layFlight(const SceneTerrain& scene, simulation::TourTerrain terrain,
                                         double durationS)
 {
+    terrain.sights = sightsOf(scene, terrain);
     auto laid = simulation::layTour(terrain, {.durationS = durationS});
     if (!laid) return laid.error();
     std::string summary = "tour: " + std::to_string(std::lround(laid->lowestM)) + " to " +
