@@ -34,6 +34,10 @@ constexpr double kLeastStripM = 0.01;
 constexpr double kFillStepM = 4.0;    ///< that of the heights of connecting roads
 constexpr double kFillOverlapM = 0.5; ///< over the paving of the next corner
 constexpr double kFillTurnRad = 0.35; ///< and in bends no longer than this
+constexpr double kFillErrorM = 0.15;  ///< of its width
+constexpr double kLeastFillM = 0.02;  ///< a piece of it
+/// around a corner, beyond which the tip between both streets is narrow
+constexpr double kAcuteTurnRad = 2.0;
 constexpr double kFarM = 1e9;
 constexpr double kFoldShare = 0.9; ///< of the way to the centre of a bend
 
@@ -109,6 +113,51 @@ double fillWidthM(const Road& road, double s, const CornerLines& lines)
     return point.curvature > 0.0 ? std::min(widthM, kFoldShare / point.curvature) : widthM;
 }
 
+/// Fills in from one place of a road to another; round an acute corner two pieces where one leaves the width
+/// by more than kFillErrorM.
+void addFill(const Road& road, const CornerLines& lines, double from, double to, bool isAcute,
+             std::vector<Cubic>& pieces)
+{
+    const double stepM = to - from, away = 0.01 * stepM;
+    const double start = fillWidthM(road, from, lines), end = fillWidthM(road, to, lines);
+    // Between its ends a piece stays between their widths.
+    const double most = 3.0 * (end - start) / stepM;
+    const auto kept = [most](double slope)
+    { return std::clamp(slope, std::min(most, 0.0), std::max(most, 0.0)); };
+    const Cubic piece =
+        hermitePiece(from, stepM, start, kept((fillWidthM(road, from + away, lines) - start) / away), end,
+                     kept((end - fillWidthM(road, to - away, lines)) / away));
+    const auto errorAt = [&](double share)
+    {
+        const double ds = share * stepM, width = piece.a + ds * (piece.b + ds * (piece.c + ds * piece.d));
+        return std::fabs(width - fillWidthM(road, from + ds, lines));
+    };
+    if (isAcute && stepM > 2.0 * kLeastFillM &&
+        std::max({errorAt(0.25), errorAt(0.5), errorAt(0.75)}) > kFillErrorM)
+    {
+        addFill(road, lines, from, 0.5 * (from + to), isAcute, pieces);
+        addFill(road, lines, 0.5 * (from + to), to, isAcute, pieces);
+        return;
+    }
+    pieces.push_back(piece);
+}
+
+/// Where the middle of the crossing lies straight to the left of a road between two places; nothing where it
+/// does not.
+std::optional<double> abreastOf(const Road& road, const glm::dvec2& middle, double from, double to)
+{
+    const auto ahead = [&](double s)
+    {
+        const auto point = road.referenceLine.at(s);
+        return glm::dot(middle - point.position, point.tangent());
+    };
+    const double before = ahead(from);
+    if (before * ahead(to) >= 0.0) return std::nullopt;
+    for (int i = 0; i < 40; ++i)
+        (ahead(0.5 * (from + to)) * before > 0.0 ? from : to) = 0.5 * (from + to);
+    return from;
+}
+
 /// The paved lane between a road and the lines of the streets that it joins.
 Lane fillOf(const Road& road, const CornerLines& lines)
 {
@@ -117,18 +166,15 @@ Lane fillOf(const Road& road, const CornerLines& lines)
     const int count = std::max(
         {1, static_cast<int>(std::ceil(road.length / kFillStepM)), static_cast<int>(turnRad / kFillTurnRad)});
     const double stepM = road.length / count;
+    const bool isAcute = turnRad > kAcuteTurnRad;
     std::vector<Cubic> pieces;
     for (int k = 0; k < count; ++k)
     {
-        const double from = k * stepM, to = from + stepM, away = 0.01 * stepM;
-        const double start = fillWidthM(road, from, lines), end = fillWidthM(road, to, lines);
-        // Between its ends a piece stays between their widths.
-        const double most = 3.0 * (end - start) / stepM;
-        const auto kept = [most](double slope)
-        { return std::clamp(slope, std::min(most, 0.0), std::max(most, 0.0)); };
-        pieces.push_back(hermitePiece(from, stepM, start,
-                                      kept((fillWidthM(road, from + away, lines) - start) / away), end,
-                                      kept((end - fillWidthM(road, to - away, lines)) / away)));
+        const double from = k * stepM, to = from + stepM;
+        const auto tip = isAcute ? abreastOf(road, lines.from.start, from, to) : std::nullopt;
+        const bool isWithin = tip && *tip > from + kLeastFillM && *tip < to - kLeastFillM;
+        if (isWithin) addFill(road, lines, from, *tip, isAcute, pieces);
+        addFill(road, lines, isWithin ? *tip : from, to, isAcute, pieces);
     }
     Lane lane;
     lane.id = 1;

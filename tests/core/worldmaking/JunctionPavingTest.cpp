@@ -118,6 +118,45 @@ std::vector<Star> stars()
     };
 }
 
+/// Two one-way streets that come together at an acute angle, or part.
+struct Merge
+{
+    const char* name;
+    MadeMap::MapTags one, other, on;
+};
+
+std::vector<Merge> merges()
+{
+    return {
+        {"slip road",
+         {{"highway", "motorway"}, {"oneway", "-1"}},
+         {{"highway", "motorway_link"}, {"oneway", "-1"}},
+         {{"highway", "motorway"}, {"oneway", "yes"}}},
+        {"carriageways",
+         {{"highway", "primary"}, {"oneway", "-1"}},
+         {{"highway", "primary"}, {"oneway", "yes"}},
+         {{"highway", "primary"}}},
+        {"two to one",
+         {{"highway", "secondary"}, {"oneway", "-1"}},
+         {{"highway", "secondary"}, {"oneway", "-1"}},
+         {{"highway", "secondary"}, {"oneway", "yes"}}},
+        {"one to two",
+         {{"highway", "secondary"}, {"oneway", "-1"}, {"lanes", "1"}},
+         {{"highway", "secondary"}, {"oneway", "-1"}, {"lanes", "1"}},
+         {{"highway", "secondary"}, {"oneway", "yes"}, {"lanes", "2"}}},
+        {"fork",
+         {{"highway", "trunk"}, {"oneway", "yes"}},
+         {{"highway", "trunk_link"}, {"oneway", "yes"}},
+         {{"highway", "trunk"}, {"oneway", "-1"}}},
+    };
+}
+
+Star starOf(const Merge& merge, double angleDeg, double turnDeg)
+{
+    return {merge.name,
+            {{0.0, merge.on}, {180.0 + turnDeg, merge.one}, {180.0 + turnDeg - angleDeg, merge.other}}};
+}
+
 /// Blocks of about 90 m with streets of eleven kinds, none of them straight on.
 MadeMap town()
 {
@@ -165,6 +204,21 @@ TEST(JunctionPaving, SmallMapsHaveNeitherStepNorHoleNorPlantOnPaving)
     }
     const PavingFaults faults = faultsOf(placed(streetsOf(roundabout(), slope).network, folder));
     EXPECT_EQ(faults.count(), 0u) << "roundabout: " << faults;
+}
+
+TEST(JunctionPaving, OneWayStreetsThatMergeLeaveNoHole)
+{
+    const testsupport::TestFolder folder("paving");
+    for (const Merge& merge : merges())
+        for (const double angleDeg : {10.0, 24.0})
+            for (const double turnDeg : {0.0, 0.5 * angleDeg})
+            {
+                const PavingFaults faults = faultsOf(
+                    placed(streetsOf(mapOf(starOf(merge, angleDeg, turnDeg)), slope).network, folder));
+                EXPECT_GT(faults.samples, 5000u) << merge.name;
+                EXPECT_EQ(faults.count(), 0u) << merge.name << " at " << angleDeg << " degrees, turned by "
+                                              << turnDeg << ": " << faults;
+            }
 }
 
 TEST(JunctionPaving, ATownOfStreetsOfAllKindsHasNone)
