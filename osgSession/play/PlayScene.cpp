@@ -123,9 +123,9 @@ double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye)
 
 void addWeather(simulation::Scenario& scenario, const PlayRequest& request)
 {
-    if (request.weather)
+    if (request.weather || request.ground)
         scenario.storyboard.init.globals.push_back(simulation::EnvironmentAction{
-            {}, simulation::Environment{{}, "weather", {}, request.weather, {}, {}}});
+            {}, simulation::Environment{{}, "weather", {}, request.weather, {}, {}, request.ground}});
 }
 
 simulation::SeatSettings seatSettingsOf(const PlayRequest& request)

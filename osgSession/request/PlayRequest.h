@@ -212,8 +212,9 @@ struct PlayRequest
     WindowRequest window{};
     SoundRequest sound{};
     std::optional<std::vector<simulation::CloudLayer>>
-        clouds{};                                 ///< in place of the scenario's and the world's
-    std::optional<simulation::Weather> weather{}; ///< holds from the begin on, after the scenario's
+        clouds{};                                       ///< in place of the scenario's and the world's
+    std::optional<simulation::Weather> weather{};       ///< holds from the begin on, after the scenario's
+    std::optional<simulation::SurfaceWeather> ground{}; ///< the same
 
     /// What moves entities in place of their actions. The play ends when all their controllers have done what
     /// they were told.

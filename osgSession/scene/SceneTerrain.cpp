@@ -126,9 +126,17 @@ foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file
         if (!read) return read.error();
         clouds = *std::move(read);
     }
+    std::optional<simulation::SurfaceWeather> ground;
+    if (!description->ground.empty())
+    {
+        const auto read = simulation::readSurfaceWeather(description->ground, file.string() + ", ground");
+        if (!read) return read.error();
+        ground = *read;
+    }
     auto scene = makeTerrainWithRoads(*description, request);
     if (!scene) return scene;
     scene->clouds = std::move(clouds);
+    scene->air.ground = ground;
     for (const std::string& note : scene->terrain->tile()->tile.field().notes)
         std::cout << "note: " << note << '\n';
     if (description->sunAzimuthDeg && description->sunElevationDeg)

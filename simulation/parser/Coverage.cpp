@@ -285,7 +285,7 @@ constexpr auto kElements = std::to_array<ElementCoverage>({
      "it is the wind of vehicles that fly or drive by their own physics; nothing else is moved by it"},
     {"Environment", "RoadCondition", Support::approximated,
      "friction and wetness are those of vehicles with physics, and the friction bounds how controllers and "
-     "pedals brake; of the wetness only that of roads is drawn"},
+     "pedals brake; water has the same depth everywhere"},
     {"Environment", "DomeImage", Support::reported, "the sky is computed"},
     {"Conditions", "ByValueCondition"},
     {"Conditions", "SimulationTimeCondition"},

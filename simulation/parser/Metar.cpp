@@ -2,6 +2,7 @@
 #include "simulation/parser/Metar.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -113,17 +114,37 @@ bool readClouds(std::string_view cell, std::vector<CloudLayer>& layers)
     return true;
 }
 
-/// -RA, SHRA, +TSRA, SN, DZ, RASN.
+/// -RA, SHRA, +TSRAGR, SN, DZ, RASN, FZDZ, GS, PL. Of several the one that comes first in the table counts.
 bool readFall(std::string_view cell, Weather& weather)
 {
+    struct Kind
+    {
+        std::string_view code, type;
+        double mmPerHour; ///< moderate
+    };
+    static constexpr std::array<Kind, 9> kFalls{{{"SN", "snow", 1.5},
+                                                 {"SG", "snow", 0.5},
+                                                 {"IC", "snow", 0.1},
+                                                 {"GR", "rain", 15.0},
+                                                 {"RA", "rain", 4.0},
+                                                 {"PL", "rain", 2.0},
+                                                 {"GS", "rain", 2.0},
+                                                 {"UP", "rain", 2.0},
+                                                 {"DZ", "rain", 0.5}}};
     const bool isLight = cell.starts_with('-'), isHeavy = cell.starts_with('+');
     if (isLight || isHeavy) cell.remove_prefix(1);
     if (cell.starts_with("SH") || cell.starts_with("TS") || cell.starts_with("FZ")) cell.remove_prefix(2);
-    const bool isSnow = cell.ends_with("SN"), isRain = cell == "RA", isDrizzle = cell == "DZ";
-    if (cell.size() > 4 || (!isSnow && !isRain && !isDrizzle)) return false;
-    const double usual = isSnow ? 1.5 : (isRain ? 4.0 : 0.5); // mm/h
+    if (cell.empty() || cell.size() > 6 || cell.size() % 2 != 0) return false;
+    const Kind* falls = kFalls.end();
+    for (std::size_t at = 0; at < cell.size(); at += 2)
+    {
+        const Kind* const kind = std::find_if(kFalls.begin(), kFalls.end(),
+                                              [&](const Kind& k) { return k.code == cell.substr(at, 2); });
+        if (kind == kFalls.end()) return false;
+        falls = std::min(falls, kind);
+    }
     weather.precipitation =
-        Precipitation{isSnow ? "snow" : "rain", usual * (isLight ? 0.35 : (isHeavy ? 3.0 : 1.0))};
+        Precipitation{std::string(falls->type), falls->mmPerHour * (isLight ? 0.35 : (isHeavy ? 3.0 : 1.0))};
     return true;
 }
 

@@ -77,6 +77,28 @@ constexpr Keywords<std::string_view, 5> kWetness{{{"dry", "dry"},
                                                   {"lowFlooded", "lowFlooded"},
                                                   {"highFlooded", "highFlooded"}}};
 
+namespace
+{
+
+/// What lies on the ground, by the property "ground".
+std::optional<SurfaceWeather> parseGround(ElementReader& road)
+{
+    std::optional<SurfaceWeather> ground;
+    for (const auto& [name, value] : parseProperties(road).values)
+    {
+        if (name != "ground") continue;
+        const auto read = readSurfaceWeather(value, "RoadCondition");
+        if (read)
+            ground = *read;
+        else
+            road.context.invalid(road.node, "RoadCondition/ground: " + read.error().what,
+                                 read.error().remedy);
+    }
+    return ground;
+}
+
+} // namespace
+
 Environment parseEnvironment(ElementReader reader)
 {
     reader.allowChildren({"ParameterDeclarations", "TimeOfDay", "Weather", "RoadCondition"});
@@ -94,6 +116,7 @@ Environment parseEnvironment(ElementReader reader)
         ElementReader road(context, node);
         environment.roadFriction = road.notNegative("frictionScaleFactor");
         environment.roadWetness = road.choiceOr("wetness", kWetness, std::string_view());
+        environment.ground = parseGround(road);
     }
     return environment;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "simulation/environment/DateTime.h"
+#include "simulation/environment/SurfaceWeather.h"
 #include "simulation/scenario/SourceLine.h"
 
 namespace simulation
@@ -67,6 +68,7 @@ struct Environment
     std::optional<Weather> weather;
     std::optional<double> roadFriction;
     std::string roadWetness; ///< dry, moist, wetWithPuddles, lowFlooded, highFlooded; empty: unchanged
+    std::optional<SurfaceWeather> ground; ///< what lies on it; the property "ground" of RoadCondition
 
     bool operator==(const Environment&) const = default;
 };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/state/EnvironmentState.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 
 #include <foundation/Angle.h>
 
@@ -11,6 +14,16 @@ namespace
 {
 
 constexpr DateTime kDefaultDateTime{1'718'964'000'000}; // 2024-06-21T10:00:00Z
+constexpr double kFreezingK = 273.15;
+
+/// The film that a wetness of roads means. Units: mm.
+double filmOf(const std::string& wetness)
+{
+    static const std::map<std::string, double, std::less<>> kFilms{
+        {"moist", 0.1}, {"wetWithPuddles", 2.0}, {"lowFlooded", 20.0}, {"highFlooded", 100.0}};
+    const auto found = kFilms.find(wetness);
+    return found == kFilms.end() ? 0.0 : found->second;
+}
 
 } // namespace
 
@@ -27,9 +40,43 @@ EnvironmentClock::EnvironmentClock(const std::optional<Geodetic>& origin, const 
     const double hours = std::trunc(_place.longitudeDeg / kDegPerHour);
     _state.dateTime = kDefaultDateTime.plusSeconds(-hours * kSecondsPerHour);
     _state.fogVisualRangeM = world.visibilityM;
+    _toldGround = world.ground;
+    _ground = world.ground.value_or(SurfaceWeather{});
+}
+
+Fall EnvironmentClock::fallNow() const
+{
+    constexpr double kDefaultMmPerHour = 4.0;
+    Fall fall;
+    if (const auto& precipitation = _state.precipitation)
+    {
+        const double mmPerHour = precipitation->intensity.value_or(kDefaultMmPerHour);
+        if (precipitation->type == "rain") fall.rainMmPerHour = mmPerHour;
+        if (precipitation->type == "snow") fall.snowMmPerHour = mmPerHour;
+    }
+    fall.isMelting = _state.temperatureK.has_value();
+    fall.temperatureC = _state.temperatureK.value_or(kFreezingK) - kFreezingK;
+    return fall;
+}
+
+SurfaceWeather EnvironmentClock::groundAt(double timeS) const
+{
+    return weathered(_ground, fallNow(), timeS - _groundAtS);
 }
 
 void EnvironmentClock::apply(const Environment& environment, double timeS)
+{
+    _ground = environment.ground.value_or(groundAt(timeS));
+    _groundAtS = timeS;
+    takeOver(environment, timeS);
+    if (timeS > 0.0) return;
+    constexpr double kFellBeforeS = 3600.0;
+    if (environment.ground) _toldGround = environment.ground;
+    _ground = _toldGround ? *_toldGround : weathered({}, fallNow(), kFellBeforeS);
+}
+
+/// Changes what an environment contains, but for the ground.
+void EnvironmentClock::takeOver(const Environment& environment, double timeS)
 {
     if (environment.timeOfDay)
     {
@@ -62,6 +109,10 @@ EnvironmentState EnvironmentClock::at(double timeS) const
     if (_isAnimated) state.dateTime = _state.dateTime.plusSeconds(timeS - _setAtS);
     state.sun =
         _givenSun ? *_givenSun : sunDirection(state.dateTime, _place.latitudeDeg, _place.longitudeDeg);
+    state.surface = groundAt(timeS);
+    state.surface.waterMm = std::max(state.surface.waterMm, filmOf(state.roadWetness));
+    if (state.temperatureK.value_or(kFreezingK) < kFreezingK && state.surface.waterMm >= kLeastFilmMm)
+        state.surface.isIcy = true;
     return state;
 }
 

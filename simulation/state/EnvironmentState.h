@@ -24,6 +24,8 @@ struct EnvironmentState
     std::optional<double> temperatureK, pressurePa; ///< of the air at the origin
     double roadFriction = 1.0;                      ///< of dry asphalt
     std::string roadWetness = "dry";                ///< in the standard's words
+    /// what lies on the ground, by all that was told and fell
+    SurfaceWeather surface;
 };
 
 /// Whether lamps burn: those of vehicles, instruments and what stands in the scene. From 3° of the sun above
@@ -35,6 +37,7 @@ struct WorldAir
 {
     std::optional<SunDirection> sun;
     std::optional<double> visibilityM;
+    std::optional<SurfaceWeather> ground{};
 };
 
 /// The environment as the actions so far have set it, and as it changes during the day. An action changes
@@ -44,6 +47,9 @@ struct WorldAir
 /// Initial state: 10 o'clock of 21 June 2024 by whole hours of longitude (UTC within 15° of Greenwich) and
 /// the sun of that time, or the world's own sun; the world's own visibility; the time of day does not
 /// advance.
+/// The ground begins as the scenario tells, else as the world does; where neither tells, what falls at the
+/// begin has fallen for an hour. From then on it follows what falls (weathered()). A wetness of the road that
+/// an action tells holds until another one does, and rain may leave more.
 class EnvironmentClock
 {
 public:
@@ -55,8 +61,15 @@ public:
     double roadFriction() const { return _state.roadFriction; }
 
 private:
+    void takeOver(const Environment& environment, double timeS);
+    Fall fallNow() const;
+    SurfaceWeather groundAt(double timeS) const;
+
     Geodetic _place;
     EnvironmentState _state;
+    std::optional<SurfaceWeather> _toldGround; ///< by the world, or by an action at the begin
+    SurfaceWeather _ground;                    ///< at _groundAtS, without the told wetness of roads
+    double _groundAtS = 0.0;
     std::optional<SunDirection> _givenSun;
     bool _isAnimated = false;
     double _setAtS = 0.0;

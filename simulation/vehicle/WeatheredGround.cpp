@@ -6,24 +6,25 @@ namespace simulation
 
 GroundWeather groundWeatherOf(const EnvironmentState& environment)
 {
-    const auto falls = [&](const char* type)
-    {
-        return environment.precipitation && environment.precipitation->type == type &&
-               environment.precipitation->intensity.value_or(1.0) > 0.0;
-    };
-    const bool isDry = environment.roadWetness == "dry" && !falls("rain");
+    const SurfaceWeather& surface = environment.surface;
     const bool isGiven = environment.roadFriction < 1.0;
-    return {environment.roadFriction, !isDry && !isGiven, falls("snow") && !isGiven};
+    const bool isWet = surface.waterMm >= kLeastFilmMm && !isGiven;
+    return {environment.roadFriction, isWet && !surface.isIcy, surface.snowCm >= kLeastSnowCm && !isGiven,
+            isWet && surface.isIcy, surface.areRoadsCleared};
 }
 
 void WeatheredGround::change(std::span<GroundPoint> answers) const
 {
     for (GroundPoint& answer : answers)
     {
-        if (answer.kind != GroundKind::asphalt) continue;
-        if (_weather.isWet) answer.kind = GroundKind::wetAsphalt;
-        if (_weather.isSnowy) answer.kind = GroundKind::snow;
-        answer.gripScale *= _weather.asphaltScale;
+        const bool isRoad = answer.kind == GroundKind::asphalt;
+        if (isRoad && _weather.isWet) answer.kind = GroundKind::wetAsphalt;
+        if (isRoad && _weather.isIcy) answer.kind = GroundKind::ice;
+        const bool takesSnow =
+            isRoad || answer.kind == GroundKind::gravel || answer.kind == GroundKind::grass;
+        if (_weather.isSnowy && takesSnow && !(isRoad && _weather.areRoadsCleared))
+            answer.kind = GroundKind::snow;
+        if (isRoad) answer.gripScale *= _weather.asphaltScale;
     }
 }
 

@@ -14,17 +14,20 @@ namespace simulation
 struct GroundWeather
 {
     double asphaltScale = 1.0; ///< of the friction of asphalt (frictionScaleFactor)
-    bool isWet = false;        ///< asphalt is wet: the road is moist or wetter, or it rains
-    bool isSnowy = false;      ///< it snows: asphalt is covered
+    bool isWet = false;        ///< asphalt is wet
+    bool isSnowy = false;      ///< snow lies on the ground, and on roads unless they are cleared
+    bool isIcy = false;        ///< the water on asphalt is frozen
+    bool areRoadsCleared = false;
 
     bool operator==(const GroundWeather&) const = default;
 };
 
-/// Returns it of an environment. A friction that the scenario gives below 1 stands for everything; wetness
-/// then counts no second time.
+/// Returns it of an environment. A friction that the scenario gives below 1 stands for everything; water,
+/// snow and ice then count no second time.
 GroundWeather groundWeatherOf(const EnvironmentState& environment);
 
-/// A ground as a weather leaves it: asphalt is wet or as rough as the scenario says; all else is as before.
+/// A ground as a weather leaves it: asphalt is wet, icy, under snow, or as rough as the scenario says; gravel
+/// and grass are as before, or under snow. Water carries nothing still.
 class WeatheredGround final : public Ground
 {
 public:

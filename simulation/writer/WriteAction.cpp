@@ -126,6 +126,11 @@ void writeContent(ElementWriter parent, const EnvironmentAction& action)
     ElementWriter road = element.child("RoadCondition");
     road.set("frictionScaleFactor", *environment.roadFriction);
     if (!environment.roadWetness.empty()) road.set("wetness", environment.roadWetness);
+    if (environment.ground)
+        road.child("Properties")
+            .child("Property")
+            .set("name", "ground")
+            .set("value", textOf(*environment.ground));
 }
 
 void writeContent(ElementWriter parent, const EntityAction& action)

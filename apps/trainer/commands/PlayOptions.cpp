@@ -174,6 +174,10 @@ void PlayOptions::addFrameOptions(CLI::App& command)
                        "layers of clouds, OKTAS KIND BASE TOP as in '4 cumulus 1200 2000', parted by ';', or "
                        "none; instead of the scenario's and the world's");
     command.add_option(
+        "--ground", _ground,
+        "what lies on the ground at the begin: dry, moist, wet, puddles, water MM, ice, snow CM, "
+        "cleared (roads have no snow), parted by ';', as in 'snow 5; cleared'");
+    command.add_option(
         "--metar", _metar,
         "a weather report, as in 'LOWI 241150Z 25012KT 9999 FEW040 SCT080 18/09 Q1018': its clouds, "
         "visibility, rain or snow, temperature and pressure, and the wind");
@@ -297,6 +301,12 @@ foundation::Outcome PlayOptions::complete()
         if (!report) return report.error();
         request.clouds = std::move(report->clouds);
         request.weather = std::move(report->weather);
+    }
+    if (!_ground.empty())
+    {
+        const auto ground = simulation::readSurfaceWeather(_ground, "--ground");
+        if (!ground) return ground.error();
+        request.ground = *ground;
     }
     if (!_clouds.empty())
     {

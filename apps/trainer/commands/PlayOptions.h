@@ -49,7 +49,7 @@ private:
 
     std::string _size = "960x540";
     std::string _backend{osgOffscreen::backendName(osgOffscreen::defaultBackend())};
-    std::string _eye = "own", _interior, _shadows = "on", _lights, _clouds, _metar;
+    std::string _eye = "own", _interior, _shadows = "on", _lights, _clouds, _metar, _ground;
     std::vector<double> _freeEye;
     std::string _patchExponent = "0";
     CLI::App* _command = nullptr;

@@ -136,6 +136,12 @@ Outcome assignClouds(RoamFile& file, const RoamEntry& entry)
     return success();
 }
 
+Outcome assignGround(RoamFile& file, const RoamEntry& entry)
+{
+    file.ground = std::string(entry.value);
+    return success();
+}
+
 /// A key, and the function that applies its value.
 struct Key
 {
@@ -192,6 +198,7 @@ constexpr std::array kKeys{
         [](RoamFile& f, const RoamEntry& e) { return assignWord(f.surroundings, e, kSurroundings); }},
     Key{"moonlight", [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.moonlight, e, 0.0, 1.0); }},
     Key{"clouds", assignClouds},
+    Key{"ground", assignGround},
     Key{"visibility",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.visibilityM, e, 1.0, kFar); }},
 };

@@ -48,6 +48,18 @@ TEST(Metar, GoodVisibilityAndNoCloudSayNothingMore)
     EXPECT_FALSE(report->weather.fogVisualRangeM);
 }
 
+TEST(Metar, TellsWhatFallsAndHowMuch)
+{
+    const auto fall = [](const char* text) { return readMetar(text, "here")->weather.precipitation; };
+    EXPECT_EQ(fall("RA"), (Precipitation{"rain", 4.0}));
+    EXPECT_EQ(fall("+TSRAGR"), (Precipitation{"rain", 45.0})) << "hail counts before rain";
+    EXPECT_EQ(fall("RASN"), (Precipitation{"snow", 1.5}));
+    EXPECT_EQ(fall("-FZDZ")->type, "rain");
+    EXPECT_LT(*fall("-FZDZ")->intensity, *fall("-RA")->intensity);
+    EXPECT_EQ(fall("SG"), (Precipitation{"snow", 0.5}));
+    EXPECT_EQ(fall("FEW020 BR"), std::nullopt);
+}
+
 TEST(Metar, LayersNeverShareHeights)
 {
     const auto report = readMetar("SCT020CB BKN025 OVC030 OVC031", "here");

@@ -4,6 +4,7 @@
 #include <foundation/Angle.h>
 
 #include "FlightSupport.h"
+#include "simulation/vehicle/WeatheredGround.h"
 
 namespace
 {
@@ -125,6 +126,34 @@ TEST(AircraftGroundTest, FrictionDecidesTheBrakingDistance)
     EXPECT_GT(snow, 1.25 * wet);
     EXPECT_GT(dry, 15.0);
     EXPECT_LT(dry, 45.0);
+}
+
+/// From 25 m/s down to walking pace, with both brakes, on a runway under a weather. Metres.
+double landingRunM(const SurfaceWeather& surface)
+{
+    EnvironmentState environment;
+    environment.surface = surface;
+    const WeatheredGround ground(std::make_shared<LevelGround>(), groundWeatherOf(environment));
+    Aircraft aircraft = testsupport::standing();
+    stepFor(aircraft, ground, 5.0);
+    FlightState state = aircraft.flightState();
+    state.motion.velocity.y = 25.0;
+    aircraft.place(state);
+    setInput(aircraft, FlightInput::leftBrake, 0.8);
+    setInput(aircraft, FlightInput::rightBrake, 0.8);
+    const double from = aircraft.state().position.y;
+    stepFor(aircraft, ground, 40.0);
+    return aircraft.state().position.y - from;
+}
+
+TEST(AircraftGroundTest, ALandingRunIsLongerOnAWetRunwayAndLongestOnIce)
+{
+    const double dry = landingRunM({}), wet = landingRunM({0.5}), snow = landingRunM({0.0, 3.0}),
+                 ice = landingRunM({0.5, 0.0, true});
+    EXPECT_GT(wet, 1.15 * dry);
+    EXPECT_GT(snow, 1.1 * wet);
+    EXPECT_GT(ice, 1.1 * snow);
+    EXPECT_DOUBLE_EQ(landingRunM({0.0, 3.0, false, true}), dry) << "a runway that is cleared";
 }
 
 TEST(AircraftGroundTest, ADiveEndsAsWreckage)

@@ -43,6 +43,7 @@ water = none
 sun = 230 40
 visibility = 35000
 moonlight = 0.5
+ground = snow 5; cleared
 roads = town.xodr
 roads_origin = 46.5 8.25 30
 roads_heights = ground
@@ -84,6 +85,7 @@ TEST(RoamFile, HasEveryKey)
     EXPECT_EQ(file->sunElevationDeg, 40.0);
     EXPECT_EQ(file->visibilityM, 35000.0);
     EXPECT_EQ(file->moonlight, 0.5);
+    EXPECT_EQ(file->ground, "snow 5; cleared");
     EXPECT_EQ(file->roads.filename(), "town.xodr");
     ASSERT_TRUE(file->roadsOrigin);
     EXPECT_EQ(file->roadsOrigin->latitudeDeg, 46.5);

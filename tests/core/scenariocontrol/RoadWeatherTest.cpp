@@ -55,14 +55,49 @@ TEST(RoadWeather, OfAnEnvironment)
 {
     simulation::EnvironmentState environment;
     EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, false}));
-    environment.precipitation = simulation::Precipitation{"rain", 2.0};
+    environment.surface.waterMm = 0.5;
     EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, true}));
-    environment.precipitation = simulation::Precipitation{"snow", 2.0};
-    EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, false, true}));
-    environment.roadWetness = "moist";
+    environment.surface.isIcy = true;
+    EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, false, false, true}));
+    environment.surface = {0.1, 3.0};
     EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, true, true}));
     environment.roadFriction = 0.4;
     EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{0.4, false}));
+}
+
+TEST(RoadWeather, BrakingWaysGrowFromDryOverWetAndSnowToIce)
+{
+    const auto on = [](const char* ground)
+    {
+        return brakingWayM("<GlobalAction><EnvironmentAction><Environment name=\"e\"><RoadCondition "
+                           "frictionScaleFactor=\"1\"><Properties><Property name=\"ground\" value=\"" +
+                           std::string(ground) +
+                           "\"/></Properties></RoadCondition></Environment></EnvironmentAction>"
+                           "</GlobalAction>");
+    };
+    const double dry = on("dry"), wet = on("wet"), snow = on("snow 3"), ice = on("ice");
+    EXPECT_DOUBLE_EQ(dry, brakingWayM(""));
+    // The shares of the grip: 0.6, 0.3, 0.15.
+    EXPECT_NEAR(wet / dry, 1.0 / 0.6, 0.15);
+    EXPECT_NEAR(snow / wet, 2.0, 0.3);
+    EXPECT_NEAR(ice / snow, 2.0, 0.4);
+    EXPECT_DOUBLE_EQ(on("snow 3; cleared"), dry);
+    EXPECT_DOUBLE_EQ(on("moist; snow 3; cleared"), wet);
+}
+
+TEST(RoadWeather, WhatFallsWetsAndWhitensTheRoad)
+{
+    const auto under = [](const char* type)
+    {
+        return brakingWayM("<GlobalAction><EnvironmentAction><Environment name=\"e\"><Weather><Precipitation "
+                           "precipitationType=\"" +
+                           std::string(type) +
+                           "\" precipitationIntensity=\"2\"/></Weather></Environment></EnvironmentAction>"
+                           "</GlobalAction>");
+    };
+    const double rain = under("rain");
+    EXPECT_GT(rain, 1.4 * under("dry"));
+    EXPECT_GT(under("snow"), 1.5 * rain);
 }
 
 TEST(RoadWeather, LeavesOtherGroundAlone)

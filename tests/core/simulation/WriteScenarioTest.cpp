@@ -22,7 +22,7 @@ Scenario everything()
     text.globals =
         R"(<GlobalAction><EnvironmentAction><Environment name="e &amp; &lt;f>"><TimeOfDay animation="true" dateTime="2025-06-13T06:00:00.5+02:00"/>
 <Weather fractionalCloudCover="twoOktas" temperature="280"><Sun azimuth="1" elevation="0.5" illuminance="1"/><Fog visualRange="500"/>
-<Precipitation precipitationType="rain" precipitationIntensity="0.5"/><Wind direction="1" speed="2"/></Weather><RoadCondition frictionScaleFactor="0.9"/></Environment></EnvironmentAction></GlobalAction>)";
+<Precipitation precipitationType="rain" precipitationIntensity="0.5"/><Wind direction="1" speed="2"/></Weather><RoadCondition frictionScaleFactor="0.9"><Properties><Property name="ground" value="snow 4.1; cleared"/></Properties></RoadCondition></Environment></EnvironmentAction></GlobalAction>)";
     text.privates =
         teleport("<WorldPosition x=\"0.1\" y=\"1e-17\" z=\"3\" h=\"0.5\"/>") +
         followTrajectory(

@@ -84,6 +84,8 @@ struct RoadsOrigin
 ///   sun = AZIMUTH ELEVATION           degrees, below the horizon at night        visibility = METRES
 ///   moonlight = 0…1                   1: a full moon, high up
 ///   clouds = OKTAS KIND BASE TOP [; …] layers of clouds, metres above the ground at the origin; or none
+///   ground = PART [; …]               what lies on it: dry, moist, wet, puddles, water MM, ice, snow CM,
+///                                       cleared
 ///   surroundings = made | none        beyond the data: made-up ground to the horizon, or nothing
 /// Relative paths are relative to the file's folder; names that begin with /vsi are GDAL's and stay as they
 /// are. Errors, with place "file:line": unknown or repeated key, missing dem, bad number.
@@ -119,6 +121,7 @@ struct RoamFile
     std::optional<double> visibilityM;
     std::optional<double> moonlight;
     std::string clouds;       ///< as they stand there, not read; empty: nothing is told
+    std::string ground;       ///< the same
     bool showsVoids = false;  ///< colours filled ground
     bool surroundings = true; ///< made-up ground beyond the data
 };
