@@ -61,6 +61,7 @@ foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioOb
         model._eye = model._generated->eye();
         if (model._notes.empty() && !look.note.empty()) model._notes.push_back(look.note);
     }
+    model.node()->getOrCreateStateSet()->setDefine("OBJECT_BARE"); // what moves carries no snow
     return model;
 }
 

@@ -19,12 +19,11 @@ ScenarioScene::ScenarioScene()
     : _root(new osg::Group),
       _atmosphere(new osgSky::Atmosphere),
       _sunlit(new osgSky::SunShadows(_atmosphere)),
-      _roadWetness(new osg::Uniform("roadWetness", 0.0F)),
+      _surface(*_root->getOrCreateStateSet()),
       _beam(*_root->getOrCreateStateSet()),
       _lights(*_root->getOrCreateStateSet())
 {
     _atmosphere->addUniformsTo(*_root->getOrCreateStateSet());
-    _root->getStateSet()->addUniform(_roadWetness);
     _root->getStateSet()->setDataVariance(osg::Object::DYNAMIC);
 }
 
@@ -158,7 +157,7 @@ void ScenarioScene::showWeather(const simulation::EnvironmentState& environment,
     showClouds(environment, timeS);
     breathe();
     showLights(environment, _atmosphere->settings(), timeS);
-    _roadWetness->set(roadWetnessOf(environment));
+    _surface.show(environment.surface, _groundM, environment.temperatureK);
     const glm::dvec3 eye = _ridden ? entities[*_ridden].velocity : glm::dvec3(0.0);
     _drops.show(fallingOf(environment), timeS, windOf(environment), {eye.x, eye.y, eye.z});
 }

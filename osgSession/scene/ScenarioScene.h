@@ -22,6 +22,7 @@
 #include "scenery/nodes/HeadLampBeam.h"
 #include "scenery/nodes/LightPoints.h"
 #include "scenery/nodes/NightSky.h"
+#include "scenery/nodes/SurfaceLook.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/Quality.h"
 
@@ -113,7 +114,7 @@ private:
     osg::ref_ptr<osg::Group> _root;
     osg::ref_ptr<osgSky::Atmosphere> _atmosphere;
     osg::ref_ptr<osgSky::SunShadows> _sunlit;
-    osg::ref_ptr<osg::Uniform> _roadWetness;
+    scenery::SurfaceLook _surface;
     scenery::FallingDrops _drops;
     scenery::NightSky _nightSky;
     scenery::Clouds _clouds;

@@ -67,17 +67,4 @@ osg::Vec3d windOf(const simulation::EnvironmentState& environment)
     return {speedMps * std::cos(directionRad), speedMps * std::sin(directionRad), 0.0};
 }
 
-float roadWetnessOf(const simulation::EnvironmentState& environment)
-{
-    static const std::map<std::string, float> kWetness{{"dry", 0.0F},
-                                                       {"moist", 0.5F},
-                                                       {"wetWithPuddles", 1.0F},
-                                                       {"lowFlooded", 1.0F},
-                                                       {"highFlooded", 1.0F}};
-    const auto found = kWetness.find(environment.roadWetness);
-    const float told = found == kWetness.end() ? 0.0F : found->second;
-    const simulation::Hydrometeors falling = fallingOf(environment);
-    return falling.perM3 > 0.0 && !falling.isSnow ? std::max(told, 0.8F) : told;
-}
-
 } // namespace trainer

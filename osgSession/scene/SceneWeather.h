@@ -32,8 +32,4 @@ double greyUnder(double cover);
 /// The wind. Frame: the scene's, which is the scenario's. Units: m/s.
 osg::Vec3d windOf(const simulation::EnvironmentState& environment);
 
-/// How wet roads look, 0 … 1: 0.5 moist, 0.8 wet, 1 with puddles and under water; rain wets a road that is
-/// told to be dry.
-float roadWetnessOf(const simulation::EnvironmentState& environment);
-
 } // namespace trainer

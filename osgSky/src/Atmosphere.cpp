@@ -186,8 +186,8 @@ void Atmosphere::applyTo(osg::Light& light) const
 
 const char* Atmosphere::glslFunctions()
 {
-    static const std::string functions =
-        std::string(shaders::kAtmosphere) + shaders::kHeadLamps + shaders::kSunShadows;
+    static const std::string functions = std::string(shaders::kAtmosphere) + shaders::kSurfaceWeather +
+                                         shaders::kHeadLamps + shaders::kSunShadows;
     return functions.c_str();
 }
 

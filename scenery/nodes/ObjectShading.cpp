@@ -48,6 +48,7 @@ void setObjectShading(osg::Node& node, Finish finish)
     state->addUniform(new osg::Uniform("objectTintMask", 0.0F));
     state->setTextureAttributeAndModes(0, osgPMObjects::whiteTexture());
     if (finish != Finish::seeThrough) return;
+    state->setDefine("OBJECT_BARE");
     state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
     state->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);

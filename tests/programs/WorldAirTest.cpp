@@ -48,6 +48,20 @@ TEST(WorldAir, LightsATourUnlessAnHourIsGiven)
         << "the hour goes before it";
 }
 
+TEST(WorldAir, SnowOfTheWorldLiesUnlessTheCommandLineSaysOtherwise)
+{
+    const Workplace place;
+    const std::vector<std::string> tour{"tour", "WORLD"}, dry{"tour", "WORLD", "--ground", "dry"},
+        snow{"tour", "WORLD", "--ground", "snow 20"};
+    const std::string usual = pictureOf(place, "", tour),
+                      white = pictureOf(place, "ground = snow 20\n", tour);
+    EXPECT_NE(usual, white);
+    EXPECT_EQ(pictureOf(place, "", snow), white);
+    EXPECT_EQ(pictureOf(place, "ground = snow 20\n", dry), usual);
+    const ProgramRun run = runTrainer({"tour", place.path("air.roam"), "--ground", "mud"});
+    EXPECT_NE(run.text().find("'mud' is nothing on the ground"), std::string::npos) << run.text();
+}
+
 TEST(WorldAir, LightsAScenarioThatHasNoTimeOfDay)
 {
     const Workplace place;

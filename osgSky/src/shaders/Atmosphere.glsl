@@ -13,6 +13,11 @@ uniform vec3 atmosphereExtinction;
 uniform float atmosphereExposure;
 uniform vec2 atmosphereLayer; // height of the haze's base in the world, 1 / scale height
 uniform mat4 osg_ViewMatrixInverse;
+#pragma import_defines(SURFACE_WEATHER)
+#ifdef SURFACE_WEATHER
+uniform vec4 surfaceWeather;  // how wet sealed ground looks, 0 ... 1; snow, cm; 1: the water is ice; 1: roads have no snow
+uniform vec2 surfaceSnowLine; // height in the world from which all of the snow lies; 1 / metres below it over which it ends
+#endif
 
 vec3 sunDirection() { return atmosphereSunDirection; }
 vec3 sunLight() { return atmosphereSun; }
@@ -52,7 +57,12 @@ vec3 applyHaze(vec3 colour, vec3 directionWorld, float distanceM)
 
 vec3 ambientLight(vec3 normalWorld)
 {
+#ifdef SURFACE_WEATHER
+    // Snow throws back six times what grass and soil do.
+    return mix(atmosphereGround * (1.0 + 5.0 * tanh(0.2 * surfaceWeather.y)), atmosphereSky, 0.5 + 0.5 * normalWorld.z);
+#else
     return mix(atmosphereGround, atmosphereSky, 0.5 + 0.5 * normalWorld.z);
+#endif
 }
 
 vec3 lightOn(vec3 normalWorld, float sunlit, float skyShare)

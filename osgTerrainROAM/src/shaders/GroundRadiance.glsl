@@ -11,6 +11,14 @@ vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds);
 const float kWaterSteep = 0.03; // one less the height of the normal: 14 degrees; rapids are less steep
 const float kCrowns = 0.2; // of the sky that crowns hide from the floor of a wood
 
+#ifdef SURFACE_WEATHER
+// What the ground loses of its reflectance when it is wet: grass, stones, earth, rock; litter; asphalt; what is not known. A loam has 0.14 in
+// place of 0.30 (Idso, Jackson, Reginato, Kimball and Nakayama, The dependence of bare soil albedo on soil water content, 1975); rough dark
+// surfaces lose some two fifths (Lekner and Dorf, Why some things are darker when wet, 1988, section 4); water runs off blades.
+const vec4 kLostOpen = vec4(0.10, 0.35, 0.50, 0.35);
+const float kLostLitter = 0.35, kLostAsphalt = 0.40, kLostAny = 0.20;
+#endif
+
 // A wood's colour is that of its crowns. Where a map of land cover tells woods, trees stand in them: who stands among them sees last
 // year's leaves between the green.
 vec3 woodFloor(vec3 crowns, float litter, Grain g)
@@ -77,6 +85,12 @@ vec3 groundRadiance(vec3 directionWorld)
     // Snow lies between the trees.
     snow *= 1.0 - ground.a * clamp(0.5 + 2.2 * g.metres28.z + 1.6 * g.metres2.z, 0.0, 1.0);
 #endif
+#ifdef SURFACE_WEATHER
+    // Crowns stick out of the snow between them; blades do until it is some centimetres deep.
+    float depthCm = snowDepth(directionWorld * length(fromEye), 1.0 - steep);
+    float fallen = snowShare(depthCm, 2.0, g.metres2.w + 0.5 * g.metres28.w) * (1.0 - 0.55 * ground.a);
+    snow = max(snow, fallen);
+#endif
 #ifdef TERRAIN_FEATURES
     Paint paint = kNoPaint;
 #ifdef TERRAIN_LISTED_FEATURES
@@ -106,6 +120,9 @@ vec3 groundRadiance(vec3 directionWorld)
     albedo = lentAlbedo(albedo, g, kinds);
 #endif
     albedo = mix(albedo, terrainSand * (1.0 + 0.5 * g.metres2.z + 0.3 * g.metres28.z), shore);
+#ifdef SURFACE_WEATHER
+    albedo = wetAlbedo(albedo, dot(kinds.open, kLostOpen) + kLostLitter * kinds.other.y);
+#endif
     albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.10 * g.metres28.z + 0.16 * g.metres324.w + 0.12 * g.metres4700.w), snow);
 #if defined(TERRAIN_LAYERS)
     vec4 imagery = layeredImagery(grid);
@@ -115,6 +132,10 @@ vec3 groundRadiance(vec3 directionWorld)
 #if defined(TERRAIN_LAYERS) || defined(TERRAIN_DRAPE)
     float fine = 1.0 + 0.5 * g.metres2.z + 0.2 * g.metres28.z;
     albedo = mix(albedo, imagery.rgb * imagery.rgb * fine, imagery.a);
+#ifdef SURFACE_WEATHER
+    albedo = mix(albedo, wetAlbedo(albedo, kLostAny), imagery.a);
+    albedo = mix(albedo, terrainSnow, imagery.a * fallen);
+#endif
     float water = (1.0 - imagery.a) * smoothstep(0.47, 0.53, land.b);
 #else
     float water = smoothstep(0.47, 0.53, land.b);
@@ -124,6 +145,15 @@ vec3 groundRadiance(vec3 directionWorld)
 #endif
 #ifdef TERRAIN_FEATURES
     albedo = pavedAlbedo(albedo, paint, g);
+#ifdef SURFACE_WEATHER
+    float paved = max(max(paint.beds.y, paint.beds.w), paint.beds.z);
+    // Wheels press the snow away.
+    float onRoad = depthCm * (1.0 - surfaceWeather.w) * (1.0 - 0.8 * paint.marks.z * (1.0 - paint.beds.w));
+    float whitened = snowShare(onRoad, 0.4, g.metres2.w + 0.5 * g.metres28.w);
+    float sealed = max(paint.beds.y, paint.beds.w) * (1.0 - whitened);
+    albedo = mix(albedo, wetAlbedo(albedo, kLostAsphalt), paved);
+    albedo = mix(albedo, terrainSnow, paved * whitened);
+#endif
     water = max(water, paint.beds.x) * (1.0 - max(max(paint.beds.y, paint.beds.z), paint.beds.w));
 #endif
     // Water lies level: where a map is coarser than the bank of a river, the bank is ground.
@@ -148,6 +178,11 @@ vec3 groundRadiance(vec3 directionWorld)
                        smoothstep(0.15, 0.6, land.a));
     float skyShare = land.a * (1.0 - kCrowns * kinds.other.y);
     vec3 colour = albedo * (lightOn(normalWorld, sunlit, skyShare) + headLight(directionWorld * length(fromEye), normalWorld));
+#if defined(SURFACE_WEATHER) && defined(TERRAIN_FEATURES)
+    float hollow = 0.5 + g.metres28.z + 0.6 * g.metres2.w;
+    colour = filmOfWater(colour, directionWorld, terrainWorldFromLocal * vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02))),
+                         0.8 * sealed * min(4.0 * surfaceWeather.x, 1.0) * smoothstep(0.95 - surfaceWeather.x, 1.30 - surfaceWeather.x, hollow));
+#endif
     // No branch: software drawing leaves out a loop that no pixel of a group enters.
     for (int i = water > 0.0 ? 0 : 1; i < 1; ++i)
         colour = mix(colour, waterColour(directionWorld, g), water);

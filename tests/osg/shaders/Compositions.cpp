@@ -39,6 +39,31 @@ std::string stageOf(const osg::Shader& shader)
 
 } // namespace
 
+namespace
+{
+
+constexpr const char* kWeather = "SURFACE_WEATHER";
+
+/// One with water and snow, where the program knows of them. Whether it is sound is asked where stages are
+/// linked.
+void addWeathered(const NamedProgram& named, std::vector<std::vector<Composition>>& variants)
+{
+    const std::string kDefine = kWeather;
+    std::vector<Composition> shaders;
+    bool knows = false;
+    for (unsigned i = 0; i < named.program->getNumShaders(); ++i)
+    {
+        const osg::Shader& shader = *named.program->getShader(i);
+        std::string text = shader.getShaderSource();
+        knows = knows || text.find("#ifdef " + kDefine) != std::string::npos;
+        text.insert(text.find('\n', text.find("#version")) + 1, "#define " + kDefine + "\n");
+        shaders.push_back({named.name + " " + kDefine, stageOf(shader), text});
+    }
+    if (knows) variants.push_back(std::move(shaders));
+}
+
+} // namespace
+
 std::vector<std::vector<Composition>> variantsOf(const NamedProgram& named)
 {
     std::vector<std::string> names;
@@ -65,6 +90,7 @@ std::vector<std::vector<Composition>> variantsOf(const NamedProgram& named)
             shaders.push_back({title, stageOf(shader), withDefines(shader.getShaderSource(), defines)});
         }
     }
+    addWeathered(named, variants);
     return variants;
 }
 
@@ -75,7 +101,8 @@ std::vector<Composition> compositionsOf(const std::vector<NamedProgram>& program
     for (const NamedProgram& named : programs)
         for (const auto& shaders : variantsOf(named))
             for (const Composition& composition : shaders)
-                if (seen.insert(composition.stage + composition.text).second)
+                if (!composition.name.ends_with(kWeather) &&
+                    seen.insert(composition.stage + composition.text).second)
                     compositions.push_back(composition);
     return compositions;
 }
