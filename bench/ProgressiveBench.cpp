@@ -12,6 +12,7 @@
 
 #include "ScannedMeshes.h"
 #include "SimplifyMeshes.h"
+#include "TableForm.h"
 
 namespace
 {
@@ -66,6 +67,29 @@ void stepDownAndUp(benchmark::State& state)
 BENCHMARK(stepDownAndUp)
     ->ArgsProduct({{0, 1}, {0, 1, 2, 3}})
     ->ArgNames({"mesh", "arrangement"})
+    ->Unit(benchmark::kMillisecond);
+
+/// Measures the same for tswap at a share in per cent, by cycles or by tables of all faces.
+void stepByForm(benchmark::State& state)
+{
+    const auto subject = static_cast<Subject>(state.range(0));
+    const ProgressiveMesh cycles = buildProgressiveMesh(
+        meshOf(subject), sequenceOf(subject),
+        {.arrangement = Arrangement::tswap, .tswapStep = 0.01f * static_cast<float>(state.range(1))});
+    const ProgressiveMesh mesh = state.range(2) == 0 ? cycles : testsupport::TableForm(cycles).tables();
+    ProgressiveLevel level(mesh);
+    for (auto _ : state)
+    {
+        level.moveTo(mesh.stepCount);
+        level.moveTo(0);
+    }
+    state.SetItemsProcessed(state.iterations() * 2 * mesh.stepCount);
+    state.counters["bytesPerVertex"] =
+        static_cast<double>(mesh.overheadBytes()) / static_cast<double>(mesh.mesh.wedgeCount());
+}
+BENCHMARK(stepByForm)
+    ->ArgsProduct({{0, 1}, {5, 10, 20, 30}, {0, 1}})
+    ->ArgNames({"mesh", "percent", "tables"})
     ->Unit(benchmark::kMillisecond);
 
 /// Measures one pass over all faces that makes the level of a percentage of the positions.

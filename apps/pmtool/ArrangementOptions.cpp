@@ -29,7 +29,7 @@ void addArrangementOptions(CLI::App& command, ArrangementRequest& request)
         ->check(CLI::IsMember({"measure"}) | CLI::Range(3, 1024));
     command
         .add_option("--tswap-step", settings.tswapStep,
-                    "tswap: share of the faces that is removed between two orderings (0.1)")
+                    "tswap: share of the faces that is removed between two orderings (0.2)")
         ->check(terminal::between(0.001, 1.0));
     command
         .add_option("--stay-weight", settings.stayWeight,

@@ -102,7 +102,9 @@ TEST_P(RealModelProgressive, IsDrawnNearlyAsFromScratch)
     EXPECT_LE(ours["worstLevel"].get<double>(), 1.6);
     EXPECT_LE(ours["faceWritesPerEcol"].get<double>(), 4.0);
     EXPECT_LE(ours["bytesPerVertex"].get<double>(), 16.0);
-    EXPECT_GT(pmtool::cacheRow(subject, "tswap")["bytesPerVertex"].get<double>(), 16.0);
+    // The control: slots that move cost bytes.
+    EXPECT_GT(pmtool::cacheRow(subject, "tswap")["bytesPerVertex"].get<double>(),
+              ours["bytesPerVertex"].get<double>());
     // The mutation: a random order exceeds that bound.
     EXPECT_GT(pmtool::cacheRow(subject, "random")["meanTransformsPerVertex"].get<double>(),
               1.06 * scratch["meanTransformsPerVertex"].get<double>());

@@ -107,9 +107,11 @@ private:
         for (const Rearrangement& rearrangement : step.rearrangements)
         {
             std::size_t slots = rearrangement.slots.size();
-            if (!rearrangement.isChain)
+            if (rearrangement.kind == RearrangementKind::rewrite)
                 for (const std::uint32_t extent : rearrangement.extents)
                     slots += extent;
+            if (rearrangement.kind == RearrangementKind::cycles)
+                slots = rearrangement.extents.front() - slots;
             raise(progressive.mostSlotsMoved, slots);
         }
     }

@@ -32,9 +32,11 @@ public:
 /// moves.
 std::unique_ptr<FaceArrangement> plainArrangement();
 
-/// Makes Arrangement::tswap: the last face fills each hole; whenever a share of the faces has vanished,
-/// cycles of moves bring the others into the greedy order (GreedyOrder.h).
-/// Source: *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 5.
+/// Makes Arrangement::tswap: a face that vanishes leaves a hole; whenever a share of the faces has vanished
+/// (the atomic step), cycles of moves bring the others into the greedy order (GreedyOrder.h) and the holes to
+/// the end (SlotCycles.h).
+/// Source: *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 5. Differs: levels
+/// within an atomic step are drawn, too, with holes.
 std::unique_ptr<FaceArrangement> tswapArrangement(const ArrangementSettings& settings);
 
 /// Makes Arrangement::blocks: the last face of a block fills its holes, and two neighbouring blocks that fit

@@ -2,6 +2,7 @@
 #include "GreedyOrder.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include <foundation/VertexCache.h>
@@ -19,16 +20,29 @@ class GreedyBuffer
 {
 public:
     GreedyBuffer(std::span<const Triangle> triangles, std::uint32_t vertexCount, const GreedyRules& rules,
-                 std::vector<bool> isTouched)
+                 GreedyPlaces places)
         : _triangles(triangles),
           _rules(rules),
-          _isTouched(std::move(isTouched)),
+          _positionOf(std::move(places.positionOf)),
+          _isTouched(std::move(places.isTouched)),
           _cache(vertexCount, rules.cacheSize),
           _isPlaced(triangles.size(), false),
           _trianglesOf(vertexCount),
           _recent(rules.cacheSize)
     {
-        _isTouched.resize(triangles.size() / kFacesOfLine * kFacesOfLine + kFacesOfLine, false);
+        if (_positionOf.empty())
+        {
+            _positionOf.resize(triangles.size());
+            std::iota(_positionOf.begin(), _positionOf.end(), 0u);
+        }
+        const std::uint32_t end = _positionOf.back() + 1;
+        _triangleAt.resize(end, kNone);
+        for (std::uint32_t t = 0; t < triangles.size(); ++t)
+            _triangleAt[_positionOf[t]] = t;
+        const std::vector<bool> isWritten = std::exchange(_isTouched, {});
+        _isTouched.resize(end / kFacesOfLine * kFacesOfLine + kFacesOfLine, false);
+        for (std::uint32_t position = 0; position < std::min<std::size_t>(end, isWritten.size()); ++position)
+            if (isWritten[position]) touchLineOf(position);
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
             for (const std::uint32_t vertex : triangles[t])
                 _trianglesOf[vertex].push_back(t);
@@ -49,9 +63,11 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t kNone = ~0u;
+
     struct Choice
     {
-        std::uint32_t triangle = ~0u;
+        std::uint32_t triangle = kNone;
         float cost = 1e9f;
 
         bool operator<(const Choice& other) const
@@ -65,7 +81,7 @@ private:
     template<class Visit>
     void visitCandidates(std::uint32_t position, const Visit& visit) const
     {
-        if (!_isPlaced[position]) visit(position);
+        if (const std::uint32_t t = _triangleAt[position]; t != kNone && !_isPlaced[t]) visit(t);
         for (const std::uint32_t vertex : _recent)
             for (const std::uint32_t t : _trianglesOf[vertex])
                 if (!_isPlaced[t]) visit(t);
@@ -75,7 +91,7 @@ private:
     {
         Choice best;
         visitCandidates(position, [&](std::uint32_t t) { best = std::min(best, {t, costOf(t, position)}); });
-        return best.triangle != ~0u ? best : firstLeft(position);
+        return best.triangle != kNone ? best : firstLeft(position);
     }
 
     Choice firstLeft(std::uint32_t position)
@@ -127,8 +143,8 @@ private:
         float cost = 0.0f;
         for (const std::uint32_t vertex : _triangles[t])
             cost += _cache.holds(vertex) ? 0.0f : 1.0f;
-        if (t == position) return cost - _rules.weights.stays;
-        return _isTouched[t] ? cost - _rules.weights.lineTouched : cost;
+        if (_positionOf[t] == position) return cost - _rules.weights.stays;
+        return _isTouched[_positionOf[t]] ? cost - _rules.weights.lineTouched : cost;
     }
 
     void draw(std::uint32_t t, bool isTrial)
@@ -149,10 +165,10 @@ private:
         draw(t, false);
         while (_firstLeft < _triangles.size() && _isPlaced[_firstLeft])
             ++_firstLeft;
-        if (t != position)
+        if (_positionOf[t] != position)
         {
             touchLineOf(position);
-            touchLineOf(t);
+            touchLineOf(_positionOf[t]);
         }
         for (const std::uint32_t vertex : _triangles[t])
             std::erase(_trianglesOf[vertex], t);
@@ -165,7 +181,8 @@ private:
 
     std::span<const Triangle> _triangles;
     GreedyRules _rules;
-    std::vector<bool> _isTouched;
+    std::vector<std::uint32_t> _positionOf, _triangleAt; ///< before; kNone: no triangle
+    std::vector<bool> _isTouched;                        ///< by position, whole lines
     foundation::FifoCache _cache;
     std::vector<bool> _isPlaced;
     std::vector<std::vector<std::uint32_t>> _trianglesOf; ///< by vertex: triangles left
@@ -179,10 +196,10 @@ private:
 } // namespace
 
 std::vector<std::uint32_t> greedyOrder(std::span<const Triangle> triangles, std::uint32_t vertexCount,
-                                       const GreedyRules& rules, std::vector<bool> isTouched)
+                                       const GreedyRules& rules, GreedyPlaces places)
 {
     if (triangles.empty()) return {};
-    return GreedyBuffer(triangles, vertexCount, rules, std::move(isTouched)).order();
+    return GreedyBuffer(triangles, vertexCount, rules, std::move(places)).order();
 }
 
 } // namespace osgPMObjects::core

@@ -45,18 +45,21 @@ public:
     std::uint32_t forth(ByteReader& in, Slots& slots)
     {
         const std::uint32_t head = in.number();
+        if (head == 0) return cyclesForth(in, slots);
         return head & 1 ? chainForth(in, head >> 1, slots) : rewriteForth(in, head >> 1, slots);
     }
 
     std::uint32_t back(ByteReader& in, Slots& slots)
     {
         const std::uint32_t head = in.number();
+        if (head == 0) return cyclesBack(in, slots);
         return head & 1 ? chainBack(in, head >> 1, slots) : rewriteBack(in, head >> 1, slots);
     }
 
     void skip(ByteReader& in)
     {
         const std::uint32_t head = in.number();
+        if (head == 0) return skipCycles(in);
         if (head & 1)
         {
             in.number();
@@ -95,6 +98,91 @@ private:
             slots.put(_chain[i], slots[_chain[i - 1]]);
         slots.makeHole(_chain[0]);
         return moves;
+    }
+
+    /// What stands before the slots of cycles (SlotCycles).
+    struct CyclesHead
+    {
+        std::uint32_t block, extent, shrinks;
+        FixedWidth width;
+
+        explicit CyclesHead(ByteReader& in)
+            : block(in.number()), extent(in.number()), shrinks(in.number()), width(widthFor(extent))
+        {
+        }
+    };
+
+    /// Reads a slot of a cycle; `first`: the first of its block.
+    static std::uint32_t slotOfCycle(ByteReader& in, const FixedWidth& width, std::uint32_t first)
+    {
+        return first + in.fixed(width);
+    }
+
+    /// The cycle through the holes ends with a slot that is unused afterwards, so nothing goes there.
+    std::uint32_t cyclesForth(ByteReader& in, Slots& slots)
+    {
+        const CyclesHead head(in);
+        const std::uint32_t first = firstSlot(head.block), holes = in.number();
+        std::uint32_t slot = first, moves = holes - head.shrinks;
+        if (holes > 0) slot = slotOfCycle(in, head.width, first);
+        for (std::uint32_t i = 1; i < holes; ++i)
+        {
+            const std::uint32_t next = slotOfCycle(in, head.width, first);
+            slots.move(slot, next);
+            slot = next;
+        }
+        for (std::uint32_t others = in.number(); others > 0; --others)
+        {
+            const std::uint32_t length = in.number();
+            slot = slotOfCycle(in, head.width, first);
+            const Slot face = slots[slot];
+            for (std::uint32_t i = 1; i < length; ++i)
+            {
+                const std::uint32_t next = slotOfCycle(in, head.width, first);
+                slots.move(slot, next);
+                slot = next;
+            }
+            slots.set(slot, face);
+            moves += length;
+        }
+        _extents[head.block] = head.extent - head.shrinks;
+        trim(head.block, head.extent, slots);
+        return moves;
+    }
+
+    /// The slots that were unused are the holes that the cycle takes back. A carried face changes places with
+    /// the one in each slot, in the order of the bytes: so the way back needs neither memory nor a second
+    /// list.
+    std::uint32_t cyclesBack(ByteReader& in, Slots& slots)
+    {
+        const CyclesHead head(in);
+        const std::uint32_t first = firstSlot(head.block), holes = in.number();
+        std::uint32_t moves = holes - head.shrinks;
+        _extents[head.block] = head.extent;
+        slots.fill(first + head.extent - head.shrinks, head.shrinks, [](std::uint32_t) { return Slot{}; });
+        Slot carried{};
+        for (std::uint32_t i = 0; i < holes; ++i)
+            carried = slots.exchange(slotOfCycle(in, head.width, first), carried);
+        for (std::uint32_t others = in.number(); others > 0; --others)
+        {
+            const std::uint32_t length = in.number(), begin = slotOfCycle(in, head.width, first);
+            carried = slots[begin];
+            for (std::uint32_t i = 1; i < length; ++i)
+                carried = slots.exchange(slotOfCycle(in, head.width, first), carried);
+            slots.set(begin, carried);
+            moves += length;
+        }
+        slots.note(endSlot(head.block));
+        return moves;
+    }
+
+    void skipCycles(ByteReader& in)
+    {
+        const CyclesHead head(in);
+        const auto skipSlots = [&] { in.skip(static_cast<int>(in.number()) * head.width.bytes); };
+        skipSlots();
+        for (std::uint32_t others = in.number(); others > 0; --others)
+            skipSlots();
     }
 
     void readWindow(ByteReader& in, std::uint32_t count)

@@ -129,18 +129,24 @@ private:
         {
             const std::uint32_t head = in.number();
             if (head >> 1 > _progressive.slotCount) return false;
-            all.push_back(head & 1 ? readChain(in, head >> 1) : readRewrite(in, head >> 1));
+            all.push_back(head == 0  ? readCycles(in)
+                          : head & 1 ? readChain(in, head >> 1)
+                                     : readRewrite(in, head >> 1));
         }
         if (!in.isGood()) return false;
         _needs.rearrangements = std::max(_needs.rearrangements, count);
         return std::all_of(all.rbegin(), all.rend(),
                            [this](const Rearrangement& r)
-                           { return r.isChain ? undoChain(r) : undoRewrite(r); });
+                           {
+                               return r.kind == RearrangementKind::chain    ? undoChain(r)
+                                      : r.kind == RearrangementKind::cycles ? undoCycles(r)
+                                                                            : undoRewrite(r);
+                           });
     }
 
     Rearrangement readChain(CheckedReader& in, std::uint32_t moves)
     {
-        Rearrangement chain{true, {in.number()}, {}, {}};
+        Rearrangement chain{RearrangementKind::chain, {in.number()}, {}, {}};
         chain.slots.push_back(in.fixed(_widths.slot));
         for (std::uint32_t i = 0; i < moves && in.isGood(); ++i)
             chain.slots.push_back(chain.slots.back() + static_cast<std::uint32_t>(in.difference()));
@@ -158,6 +164,53 @@ private:
         return chain.slots.back() == first + _extents[block] - 1 &&
                std::all_of(chain.slots.begin(), chain.slots.end(),
                            [this](std::uint32_t slot) { return isDrawn(slot); });
+    }
+
+    /// Reads cycles: their block, its extents before and after, and all slots. Those that cannot be have no
+    /// block.
+    Rearrangement readCycles(CheckedReader& in)
+    {
+        const std::uint32_t block = in.number(), extent = in.number(), shrinks = in.number();
+        Rearrangement cycles{RearrangementKind::cycles, {SlotTable::kNone}, {extent, extent - shrinks}, {}};
+        if (extent > _progressive.slotCount || shrinks > extent) return cycles;
+        readCycle(in, cycles);
+        const std::size_t throughHoles = cycles.slots.size();
+        bool areWhole = true;
+        for (std::uint32_t others = in.number(); others > 0 && in.isGood(); --others)
+            areWhole = readCycle(in, cycles) > 0 && areWhole;
+        const auto goes = [&](std::uint32_t slot) { return slot >= extent - shrinks; };
+        const auto other = cycles.slots.begin() + static_cast<std::ptrdiff_t>(throughHoles);
+        // Each slot that goes ends the way to one hole; the last way ends the cycle.
+        if (areWhole && std::count_if(cycles.slots.begin(), other, goes) == shrinks &&
+            (throughHoles == 0 || goes(*(other - 1))) && std::none_of(other, cycles.slots.end(), goes))
+            cycles.blocks.front() = block;
+        return cycles;
+    }
+
+    /// Appends the slots of a cycle and returns their number.
+    static std::uint32_t readCycle(CheckedReader& in, Rearrangement& cycles)
+    {
+        const FixedWidth width(widthFor(cycles.extents.front()));
+        const std::uint32_t count = in.number();
+        for (std::uint32_t i = 0; i < count && in.isGood(); ++i)
+            cycles.slots.push_back(in.fixed(width));
+        return count;
+    }
+
+    bool undoCycles(const Rearrangement& cycles)
+    {
+        const std::uint32_t block = cycles.blocks.front(), extent = cycles.extents.front();
+        if (block >= _extents.size() || _extents[block] != cycles.extents.back()) return false;
+        if (extent > _progressive.endSlot(block) - _progressive.blocks[block].firstSlot) return false;
+        needSlots(extent - _extents[block]);
+        _extents[block] = extent;
+        std::vector<bool> isTaken(extent, false);
+        for (const std::uint32_t slot : cycles.slots)
+        {
+            if (slot >= extent || isTaken[slot]) return false;
+            isTaken[slot] = true;
+        }
+        return true;
     }
 
     Rearrangement readRewrite(CheckedReader& in, std::uint32_t count)

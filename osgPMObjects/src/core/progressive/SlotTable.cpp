@@ -59,7 +59,7 @@ void SlotTable::chain(std::vector<std::uint32_t> slots)
         put(_faceAt[slots[i + 1]], slots[i]);
     }
     _faceAt[slots.back()] = kNone;
-    _rearrangements.push_back({true, {last}, {_blocks[last].extent}, std::move(slots)});
+    _rearrangements.push_back({RearrangementKind::chain, {last}, {_blocks[last].extent}, std::move(slots)});
     --_blocks[last].extent;
 }
 
@@ -85,7 +85,19 @@ std::vector<std::uint32_t> SlotTable::fillHoles(std::uint32_t block)
 
 void SlotTable::rewrite(std::vector<std::uint32_t> blocks, std::span<const std::uint32_t> faces)
 {
+    refill(RearrangementKind::rewrite, std::move(blocks), faces);
+}
+
+void SlotTable::permute(std::uint32_t block, std::span<const std::uint32_t> faces)
+{
+    refill(RearrangementKind::cycles, {block}, faces);
+}
+
+void SlotTable::refill(RearrangementKind kind, std::vector<std::uint32_t> blocks,
+                       std::span<const std::uint32_t> faces)
+{
     Rearrangement& rearrangement = _rearrangements.emplace_back();
+    rearrangement.kind = kind;
     for (const std::uint32_t face : faces)
         rearrangement.slots.push_back(_slotOf[face]);
     std::size_t next = 0;

@@ -19,13 +19,24 @@ struct SlotBlock
     std::uint32_t live = 0;
 };
 
-/// A change of the slots of faces. A *chain* (the tswap of Graphicon 2003) moves the face in slots[i + 1] to
-/// slots[i]; the first slot is a hole before, the last one is unused afterwards, and the extent of its block
-/// shrinks by one. A *rewrite* fills blocks, one after the other, with the faces of `slots`; their other
-/// slots were holes.
+/// How a Rearrangement is told and played.
+enum class RearrangementKind
+{
+    /// The face in slots[i + 1] moves to slots[i]; the first slot is a hole before, the last one is unused
+    /// afterwards, and the extent of its block shrinks by one.
+    chain,
+    /// Blocks are filled, one after the other, with the faces of `slots`; their other slots were holes. All
+    /// faces are told, as a table.
+    rewrite,
+    /// The same for one block, told as cycles of the slots that change (SlotCycles): the tswap of Graphicon
+    /// 2003.
+    cycles,
+};
+
+/// A change of the slots of faces.
 struct Rearrangement
 {
-    bool isChain = false;
+    RearrangementKind kind = RearrangementKind::rewrite;
     std::vector<std::uint32_t> blocks;  ///< of a chain: the block of its last slot
     std::vector<std::uint32_t> extents; ///< of the blocks, before the change
     std::vector<std::uint32_t> slots;
@@ -47,6 +58,8 @@ public:
     std::vector<std::uint32_t> fillHoles(std::uint32_t block);
     /// Refills blocks with all their remaining faces, given in the new order.
     void rewrite(std::vector<std::uint32_t> blocks, std::span<const std::uint32_t> faces);
+    /// Does so for one block, by cycles.
+    void permute(std::uint32_t block, std::span<const std::uint32_t> faces);
 
     const std::vector<SlotBlock>& blocks() const { return _blocks; }
     std::uint32_t blockOf(std::uint32_t slot) const;
@@ -75,6 +88,8 @@ public:
 
 private:
     void put(std::uint32_t face, std::uint32_t slot);
+    void refill(RearrangementKind kind, std::vector<std::uint32_t> blocks,
+                std::span<const std::uint32_t> faces);
 
     std::vector<SlotBlock> _blocks;
     std::vector<std::uint32_t> _faceAt; ///< by slot

@@ -45,6 +45,26 @@ public:
         note(slot + 1);
     }
 
+    /// Moves a face, without a note.
+    void move(std::uint32_t to, std::uint32_t from) { set(to, _slots[from]); }
+
+    /// Puts a face, without a note.
+    void set(std::uint32_t slot, const Slot& face)
+    {
+        _slots[slot] = face;
+        mark(slot);
+    }
+
+    /// Puts a face or a hole and returns what was there. Notes holes.
+    Slot exchange(std::uint32_t slot, const Slot& face)
+    {
+        const Slot before = _slots[slot];
+        set(slot, face);
+        *_endOfNotes = slot;
+        _endOfNotes += isHole(face);
+        return before;
+    }
+
     /// Puts a face that has the wedge `other` at two corners, or one of them and two others. The corners are
     /// written where they belong: put together in a local array, they would be read before they have left the
     /// processor's store queue.

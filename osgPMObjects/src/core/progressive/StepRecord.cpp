@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "SlotCycles.h"
+
 namespace osgPMObjects::core
 {
 
@@ -97,6 +99,32 @@ void appendRewrite(RecordBytes& bytes, const Rearrangement& rewrite, std::span<c
     }
 }
 
+/// Appends 0, the block, its extent and by how much that shrinks, the cycle through the holes, then the
+/// number of other cycles and each of them: its length, and its slots from the first of the block on, in as
+/// many bytes as the extent needs.
+void appendCycles(RecordBytes& bytes, const Rearrangement& change, std::span<const SlotBlock> blocks)
+{
+    const std::uint32_t block = change.blocks.front(), extent = change.extents.front();
+    std::vector<std::uint32_t> sources = change.slots;
+    for (std::uint32_t& source : sources)
+        source -= blocks[block].first;
+    const SlotCycles cycles(sources, extent);
+    const auto append = [&](const std::vector<std::uint32_t>& cycle)
+    {
+        appendNumber(bytes, cycle.size());
+        for (const std::uint32_t slot : cycle)
+            appendFixed(bytes, slot, widthFor(extent));
+    };
+    appendNumber(bytes, 0);
+    appendNumber(bytes, block);
+    appendNumber(bytes, extent);
+    appendNumber(bytes, extent - sources.size());
+    append(cycles.throughHoles);
+    appendNumber(bytes, cycles.others.size());
+    for (const std::vector<std::uint32_t>& cycle : cycles.others)
+        append(cycle);
+}
+
 void appendHead(RecordBytes& bytes, const StepRecord& step)
 {
     const std::size_t vanished = std::min<std::size_t>(step.vanished.size(), 3);
@@ -164,10 +192,17 @@ void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
     }
     if (!step.rearrangements.empty()) appendNumber(bytes, step.rearrangements.size());
     for (const Rearrangement& rearrangement : step.rearrangements)
-        if (rearrangement.isChain)
+        switch (rearrangement.kind)
+        {
+        case RearrangementKind::chain:
             appendChain(bytes, rearrangement, widths.slot.bytes);
-        else
+            break;
+        case RearrangementKind::rewrite:
             appendRewrite(bytes, rearrangement, blocks);
+            break;
+        case RearrangementKind::cycles:
+            appendCycles(bytes, rearrangement, blocks);
+        }
     appendLength(bytes, bytes.size() - begin);
 }
 

@@ -25,7 +25,7 @@ namespace osgPMObjects::core
 ///                 difference to that of the list before; all others are differences to their predecessors
 ///     vanished    by face: 1 byte that tells how to restore its corners from those of the patched faces
 ///                 (VanishedFace); or 255 and its three wedges
-///     [moves]     the number of rearrangements, then each of them
+///     [moves]     the number of rearrangements, then each of them: a chain, a rewrite or cycles
 ///     length      of the bytes above: 1 byte, or 4 bytes and a byte 0
 ///
 /// The removed wedges are the last ones; ProgressiveMesh::parents tells what replaces them.

@@ -29,46 +29,55 @@ public:
             slots.append(material++, ordered(walk, faces, _first, {}), walk.faceCount());
         for (const SlotBlock& block : slots.blocks())
             _orderedAt.push_back(block.live);
+        _isWritten.resize(slots.slotCount(), false);
     }
 
     void afterStep(const LevelWalk& walk, SlotTable& slots) override
     {
-        _isTouched.resize(slots.slotCount(), false);
-        for (const std::uint32_t block : slots.blocksWithRemovals())
+        for (const LevelWalk::Patch& patch : walk.patches())
+            if (walk.isLive(patch.face)) _isWritten[slots.slotOf(patch.face)] = true;
+        const std::vector<std::uint32_t> touched = slots.blocksWithRemovals();
+        for (const std::uint32_t block : touched)
         {
-            for (const std::uint32_t slot : slots.fillHoles(block))
-                _isTouched[slot] = true;
-            if (_orderedAt[block] - slots.blocks()[block].live >
-                _stepShare * static_cast<float>(_orderedAt[block]))
+            const std::uint32_t before = _orderedAt[block], live = slots.blocks()[block].live;
+            if (live == 0 || static_cast<float>(before - live) > _stepShare * static_cast<float>(before))
                 orderAnew(block, walk, slots);
         }
     }
 
 private:
+    /// Closes the holes of a block by cycles.
     void orderAnew(std::uint32_t block, const LevelWalk& walk, SlotTable& slots)
     {
         const SlotBlock& b = slots.blocks()[block];
+        GreedyPlaces places;
         std::vector<std::uint32_t> faces;
-        slots.appendFaces(block, faces);
-        const auto first = _isTouched.begin() + b.first;
-        slots.rewrite({block}, ordered(walk, faces, _rules, {first, first + b.extent}));
-        std::fill_n(first, b.extent, false);
+        for (std::uint32_t i = 0; i < b.extent; ++i)
+        {
+            const std::uint32_t face = slots.faceAt(b.first + i);
+            places.isTouched.push_back(face == SlotTable::kNone || _isWritten[b.first + i]);
+            if (face == SlotTable::kNone) continue;
+            faces.push_back(face);
+            places.positionOf.push_back(i);
+        }
+        std::fill_n(_isWritten.begin() + b.first, b.extent, false);
+        slots.permute(block, ordered(walk, faces, _rules, std::move(places)));
         _orderedAt[block] = b.live;
     }
 
     std::vector<std::uint32_t> ordered(const LevelWalk& walk, const std::vector<std::uint32_t>& faces,
-                                       const GreedyRules& rules, std::vector<bool> isTouched)
+                                       const GreedyRules& rules, GreedyPlaces places)
     {
         return _numbers->ordered(walk, faces,
                                  [&](std::span<const Triangle> triangles, std::uint32_t wedges)
-                                 { return greedyOrder(triangles, wedges, rules, std::move(isTouched)); });
+                                 { return greedyOrder(triangles, wedges, rules, std::move(places)); });
     }
 
     float _stepShare;
     GreedyRules _first, _rules; ///< for the finest level, and for later orderings
     std::unique_ptr<LocalNumbers> _numbers;
     std::vector<std::uint32_t> _orderedAt; ///< by block: number of faces when it was last ordered
-    std::vector<bool> _isTouched;          ///< by slot: whether it was written since then
+    std::vector<bool> _isWritten;          ///< by slot: whether steps have patched its face since then
 };
 
 } // namespace

@@ -70,7 +70,7 @@ struct ProgressiveMesh
     /// The sizes of the buffers that a ProgressiveLevel allocates.
     std::uint32_t mostSlotsOfStep = 0; ///< patched and vanished faces of one step
     std::uint32_t mostRearrangements = 0;
-    std::uint32_t mostSlotsMoved = 0; ///< of one rearrangement
+    std::uint32_t mostSlotsMoved = 0; ///< of one rearrangement; of cycles, which move in place: holes closed
 
     std::uint32_t endSlot(std::uint32_t block) const
     {
