@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
+#include <osgMultiTriangulation/core/split/BorderFit.h>
 #include <osgMultiTriangulation/core/zone/InterestZone.h>
 
 #include "measurement/ProcessorTime.h"
@@ -67,7 +68,7 @@ foundation::Result<nlohmann::ordered_json>
 sweepTreeCounts(const SurfaceMesh& mesh, const MtBenchRequest& request, const std::filesystem::path& path)
 {
     nlohmann::ordered_json table;
-    const double balanced = balancedTreeCount(static_cast<double>(mesh.points.size()));
+    const double balanced = balancedTreeCount(static_cast<double>(mesh.points.size()), fitBorder(mesh));
     for (const double factor : {0.25, 0.5, 1.0, 2.0, 4.0})
     {
         ForestOptions options = request.options;

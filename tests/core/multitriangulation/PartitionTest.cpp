@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <osgMultiTriangulation/core/split/BorderFit.h>
+#include <osgMultiTriangulation/core/split/BuildForest.h>
 #include <osgMultiTriangulation/core/split/Partition.h>
 #include <osgMultiTriangulation/core/split/TreeCount.h>
 
@@ -70,6 +72,34 @@ TEST(TreeCount, balancesPartsAndBorders)
               static_cast<std::uint32_t>(std::ceil(std::pow(1e12 / 8.0, 0.2))))
         << "the paper's formula";
     EXPECT_EQ(balancedTreeCount(3.0), 1u);
+}
+
+TEST(TreeCount, followsTheBordersOfTheInput)
+{
+    EXPECT_EQ(fitBorder(testsupport::hillSurface(3, 3)).c, BorderModel{}.c) << "one rectangle: no border";
+    const SurfaceMesh square = testsupport::hillSurface(120, 120);
+    const SurfaceMesh strip = testsupport::hillSurface(1440, 10);
+    const double ofSquare = fitBorder(square).c, ofStrip = fitBorder(strip).c;
+    EXPECT_GT(ofSquare, 2.0);
+    EXPECT_LT(ofSquare, 5.0);
+    EXPECT_LT(ofStrip, 0.5 * ofSquare) << "rectangles side by side have two borders";
+    for (const SurfaceMesh* mesh : {&square, &strip})
+    {
+        // As many points on all borders as in a rectangle, as near as halving gets.
+        const auto built = buildForest(*mesh);
+        ASSERT_TRUE(built);
+        const double rectangles = built->report.rectangles;
+        const double ratio =
+            built->report.borderPoints * rectangles / (static_cast<double>(mesh->points.size()) / rectangles);
+        EXPECT_GT(ratio, 0.3);
+        EXPECT_LT(ratio, 3.5);
+    }
+    ForestOptions unfitted;
+    unfitted.border = BorderModel{};
+    const auto built = buildForest(strip, unfitted); // the control
+    ASSERT_TRUE(built);
+    const double rectangles = built->report.rectangles;
+    EXPECT_LT(built->report.borderPoints * rectangles * rectangles / 14400.0, 0.3);
 }
 
 } // namespace

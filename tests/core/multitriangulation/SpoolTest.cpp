@@ -109,6 +109,20 @@ TEST(Spool, aPartWithRoomForAllItsPointsHasTheBytesOfABuildInMemory)
     EXPECT_EQ(bytesOf(folder / "files.mt"), bytesOf(folder / "memory.mt"));
 }
 
+TEST(Spool, fitsItsBordersAsABuildInMemoryDoes)
+{
+    const testsupport::TestFolder folder("mt-spool");
+    const SurfaceMesh mesh = testsupport::hillSurface(900, 9); // borders are short: more rectangles
+    const auto built = buildMtFile(mesh, {}, {}, folder / "memory.mt");
+    const SurfaceSpool spool = spoolOf(mesh, folder / "");
+    ASSERT_TRUE(buildMtFile(spool, {}, {}, kMuchMb, folder / "files.mt"));
+    EXPECT_EQ(bytesOf(folder / "files.mt"), bytesOf(folder / "memory.mt"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "border-fit"));
+    ASSERT_TRUE(buildMtFile(mesh, {}, inRectangles(balancedTreeCount(8100.0)), folder / "plain.mt"));
+    EXPECT_NE(bytesOf(folder / "plain.mt"), bytesOf(folder / "memory.mt")) << "the fit changed nothing";
+    EXPECT_TRUE(built);
+}
+
 TEST(Spool, boundsHoldWherePartsHadOnlySomeOfTheirPoints)
 {
     const testsupport::TestFolder folder("mt-spool");

@@ -63,7 +63,7 @@ foundation::Result<ForestReport> buildMtFile(const SurfaceSpool& spool, const Pl
                                              const std::filesystem::path& file)
 {
     const std::uint64_t points = spool.points().size();
-    const auto plan = planMemory(points, options, limitMb);
+    const auto plan = planMemory(spool, options, limitMb);
     if (!plan) return plan.error();
     const Partition partition =
         partitionPoints(scanOf(spool), static_cast<double>(points) / plan->treeCount, options.where);

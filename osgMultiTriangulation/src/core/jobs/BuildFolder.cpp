@@ -89,7 +89,7 @@ foundation::Outcome BuildFolder::plan(const SurfaceSpool& spool, const PlanFrame
                                       const std::filesystem::path& folder)
 {
     const std::uint64_t points = spool.points().size();
-    const auto plan = planMemory(points, options, limitMb);
+    const auto plan = planMemory(spool, options, limitMb);
     if (!plan) return plan.error();
     BuildManifest manifest{
         frame, spool.heightStep(), points, spool.triangles().size(), plan->mostHidden, 0, {}, {}};

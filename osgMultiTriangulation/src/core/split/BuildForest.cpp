@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include <osgMultiTriangulation/core/split/BorderFit.h>
 #include <osgMultiTriangulation/core/split/BuildForest.h>
 
 #include "JobQueue.h"
@@ -31,8 +32,9 @@ ForestReport reportOf(const Partition& partition, const std::vector<std::uint32_
 Partition partitionFor(const SurfaceMesh& mesh, const ForestOptions& options)
 {
     const auto points = static_cast<double>(mesh.points.size());
-    const std::uint32_t count =
-        options.treeCount > 0 ? options.treeCount : balancedTreeCount(points, options.border);
+    std::uint32_t count = options.treeCount;
+    if (count == 0)
+        count = balancedTreeCount(points, options.border ? *options.border : fitBorder(mesh, options.where));
     return partitionPoints(mesh.points, points / count, options.where);
 }
 

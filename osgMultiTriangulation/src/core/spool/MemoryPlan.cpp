@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "SpoolBorder.h"
+
 namespace osgMultiTriangulation::core
 {
 
@@ -40,7 +42,8 @@ foundation::Result<MemoryPlan> planMemory(std::uint64_t points, const ForestOpti
 {
     const auto all = static_cast<double>(points);
     const double limit = limitMb * 1e6;
-    double trees = options.treeCount > 0 ? options.treeCount : balancedTreeCount(all, options.border);
+    double trees = options.treeCount > 0 ? options.treeCount
+                                         : balancedTreeCount(all, options.border.value_or(BorderModel{}));
     if (limitMb == 0.0)
         return MemoryPlan{static_cast<std::uint32_t>(trees), std::numeric_limits<std::uint64_t>::max(),
                           options.jobs};
@@ -64,6 +67,19 @@ foundation::Result<MemoryPlan> planMemory(std::uint64_t points, const ForestOpti
     const double jobs = (limit - bytesOfAll(trees)) / bytesOfJob(all, trees);
     plan.jobs = static_cast<unsigned>(std::clamp(jobs, 1.0, static_cast<double>(options.jobs)));
     return plan;
+}
+
+foundation::Result<MemoryPlan> planMemory(const SurfaceSpool& spool, const ForestOptions& options,
+                                          double limitMb)
+{
+    ForestOptions fitted = options;
+    if (options.treeCount == 0 && !options.border)
+    {
+        const auto model = fitBorder(spool, options.where);
+        if (!model) return model.error();
+        fitted.border = *model;
+    }
+    return planMemory(spool.points().size(), fitted, limitMb);
 }
 
 } // namespace osgMultiTriangulation::core

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <foundation/Result.h>
@@ -16,8 +17,8 @@ namespace osgMultiTriangulation::core
 
 struct ForestOptions
 {
-    std::uint32_t treeCount = 0; ///< rectangles; 0: balancedTreeCount()
-    BorderModel border;
+    std::uint32_t treeCount = 0;         ///< rectangles; 0: balancedTreeCount()
+    std::optional<BorderModel> border{}; ///< absent: fitBorder()
     SplitAt where = SplitAt::centre;
     unsigned jobs = 1; ///< threads; the result does not depend on it
     /// Told after each tree: how many of all are done. Called by one thread at a time. Returns whether to go
