@@ -19,11 +19,11 @@ inline std::uint32_t sumOf(std::string_view bytes)
 }
 
 /// Makes the check sums of a .mt file right again after bytes were changed, those of the sections of its
-/// trees, of its directory and its header (docs/reference/mt-file.md). What does not lie in the file is left
-/// out.
+/// trees, of its directory, its reference and its header (docs/reference/mt-file.md). What does not lie in
+/// the file is left out.
 inline void renewMtCheckSums(std::string& bytes)
 {
-    constexpr std::size_t kHeader = 80, kEntry = 56;
+    constexpr std::size_t kHeader = 80, kEntry = 56, kReference = 36;
     const auto sumIn = [&](std::size_t first, std::size_t count)
     { return sumOf(std::string_view(bytes).substr(first, count)); };
     const auto put = [&](std::size_t at, std::uint32_t sum)
@@ -53,6 +53,15 @@ inline void renewMtCheckSums(std::string& bytes)
             at += length;
         }
         put(entry + 12, sumIn(first, table));
+    }
+    const std::size_t reference = kHeader + trees * kEntry;
+    std::uint32_t version = 0, text = 0;
+    std::memcpy(&version, bytes.data() + 8, sizeof version);
+    if (version > 2 && bytes.size() - reference >= kReference + sizeof text)
+    {
+        std::memcpy(&text, bytes.data() + reference, sizeof text);
+        if (text <= bytes.size() - reference - kReference - sizeof text)
+            put(reference + kReference + text, sumIn(reference, kReference + text));
     }
     put(72, sumIn(kHeader, trees * kEntry));
     put(76, sumIn(0, 76));

@@ -131,6 +131,13 @@ TEST(MtFile, aDamagedOrCutReferenceSystemIsTold)
     }
     writeBytes(file, bytes.substr(0, end)); // the control: whole, and no tree behind it
     EXPECT_TRUE(MtFile::open(file));
+    std::string moved = bytes;
+    moved[first + 4 + 6] ^= 0x01; // of the place of the first sample
+    testsupport::renewMtCheckSums(moved);
+    writeBytes(file, moved);
+    const auto opened = MtFile::open(file);
+    ASSERT_TRUE(opened) << "its sum was not made right: " << opened.error().message();
+    EXPECT_NE(opened->info().frame.reference->firstX, placedFrame().reference->firstX);
 }
 
 TEST(MtFile, aPrefixOfATreeIsATree)
