@@ -97,6 +97,25 @@ TEST(MtTool, keepsTheGeoreferenceWithAndWithoutALimitOfMemory)
                           1, "terraintool", {"p.mt", "no georeference"}));
 }
 
+TEST(MtTool, writesTilesOfTheEarthOutOfSurfacesInDegrees)
+{
+    const Workplace place;
+    ASSERT_TRUE(succeeds(runTerrainTool(building(place, "hill.mt"))));
+    const auto extract = [&](std::vector<std::string> more)
+    {
+        more.insert(more.begin(), {"mt-extract", place.path("hill.mt")});
+        return runTerrainTool(more);
+    };
+    const std::string tile = place.path("t.terrain");
+    EXPECT_TRUE(failsWith(extract({"-o", tile}), 1, "terraintool", {"t.terrain", "--tile"}));
+    EXPECT_TRUE(failsWith(extract({"-o", tile, "--tile", "9/1024/0"}), 2, "terraintool", {"9/1024/0"}));
+    EXPECT_TRUE(failsWith(extract({"-o", place.path("t.obj"), "--tile", "9/535/386"}), 1, "terraintool",
+                          {"t.obj", ".terrain"}));
+    EXPECT_TRUE(
+        failsWith(extract({"-o", tile, "--tile", "9/535/386"}), 1, "terraintool", {"hill.mt", "in degrees"}))
+        << "it is in metres of UTM";
+}
+
 TEST(MtTool, isTheElevationOfATerrain)
 {
     const Workplace place;

@@ -99,7 +99,9 @@ void addMtExtract(CLI::App& app, std::filesystem::path& jsonFile, Command& comma
     sub->add_option("FILE", request->file, "the .mt file")->required()->check(CLI::ExistingFile);
     sub->add_option("-o,--output", request->output, "the file to write")
         ->required()
-        ->check(terminal::extension(".obj") | terminal::extension(".ply"));
+        ->check(terminal::extension(".obj") | terminal::extension(".ply") | terminal::extension(".terrain"));
+    const auto tile = std::make_shared<std::string>();
+    sub->add_option("--tile", *tile, "LEVEL/COLUMN/ROW of a .terrain file");
     sub->add_option("--error", request->what.errorM, "metres along the vertical; without it: all points")
         ->check(terminal::between(0.0, 1e5));
     sub->add_option("--triangles", request->what.mostTriangles, "no more than so many")
@@ -112,8 +114,14 @@ void addMtExtract(CLI::App& app, std::filesystem::path& jsonFile, Command& comma
         ->check(CLI::IsMember({"plan", "georeference"}));
     sub->add_option("--json", jsonFile, "also write the table to this file");
     sub->callback(
-        [request, region, places, &command]
+        [request, region, places, tile, &command]
         {
+            if (!tile->empty())
+            {
+                const auto named = osgMultiTriangulation::core::earthTileOf(*tile);
+                if (!named) throw CLI::ValidationError("--tile", named.error().message());
+                request->tile = *named;
+            }
             request->inReference = *places == "georeference";
             if (region->size() == 4)
                 request->what.region = {(*region)[0], (*region)[1], (*region)[2], (*region)[3]};

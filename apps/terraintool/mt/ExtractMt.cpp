@@ -12,6 +12,20 @@ namespace terraintool
 
 using namespace osgMultiTriangulation::core;
 
+namespace
+{
+
+foundation::Outcome writeSurface(const MtExtractRequest& request, const SurfaceMesh& mesh,
+                                 const PlanFrame& plan)
+{
+    if (!request.tile) return writeTin(request.output, mesh, request.inReference ? inReference(plan) : plan);
+    const auto bytes = quantizedMeshOf(mesh, plan, *request.tile, request.file.string());
+    if (!bytes) return bytes.error();
+    return foundation::writeWholeFile(request.output, *bytes);
+}
+
+} // namespace
+
 foundation::Result<terminal::Report> extractMt(const MtExtractRequest& request)
 {
     if (const auto writable = foundation::checkWritable(request.output); !writable) return writable.error();
@@ -20,10 +34,14 @@ foundation::Result<terminal::Report> extractMt(const MtExtractRequest& request)
     const PlanFrame& plan = file->info().frame;
     if (request.inReference && !plan.reference)
         return foundation::Error{request.file.string(), "has no georeference", "leave --places out"};
+    if ((request.output.extension() == ".terrain") != request.tile.has_value())
+        return foundation::Error{request.output.string(),
+                                 request.tile ? "is no tile of the Earth" : "is a tile of the Earth",
+                                 request.tile ? "name it .terrain, or leave --tile out"
+                                              : "say which with --tile LEVEL/COLUMN/ROW, as 9/535/386"};
     const auto surface = extractFrom(*file, request.what);
     if (!surface) return surface.error();
-    const PlanFrame frame = request.inReference ? inReference(plan) : plan;
-    if (const auto written = writeTin(request.output, surface->mesh, frame); !written) return written.error();
+    if (const auto written = writeSurface(request, surface->mesh, plan); !written) return written.error();
     terminal::Report report;
     report.json["files"].push_back({{"file", request.output.string()},
                                     {"points", surface->mesh.points.size()},

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <foundation/Result.h>
 
+#include <osgMultiTriangulation/core/output/QuantizedMeshTile.h>
 #include <osgMultiTriangulation/core/zone/ExtractFromFile.h>
 
 #include "terminal/Report.h"
@@ -17,10 +19,11 @@ struct MtExtractRequest
 {
     std::filesystem::path file, output;
     bool inReference = false; ///< coordinates are those of the reference system, not of the plan
+    std::optional<osgMultiTriangulation::core::EarthTile> tile{}; ///< of a .terrain file
     osgMultiTriangulation::core::ExtractRequest what;
 };
 
-/// Writes one triangulation of a .mt file as a file of triangles, .obj or .ply.
+/// Writes one triangulation of a .mt file as a file of triangles, .obj, .ply or .terrain.
 foundation::Result<terminal::Report> extractMt(const MtExtractRequest& request);
 
 /// What the head and the directory of a .mt file tell, as a row of the table of `info`.

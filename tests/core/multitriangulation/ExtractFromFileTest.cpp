@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
+#include <foundation/Earth.h>
 #include <gtest/gtest.h>
 
 #include <osgMultiTriangulation/core/check/SurfaceCheck.h>
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
 #include <osgMultiTriangulation/core/input/TinFile.h>
+#include <osgMultiTriangulation/core/output/QuantizedMeshTile.h>
 #include <osgMultiTriangulation/core/output/WriteTin.h>
 #include <osgMultiTriangulation/core/structure/ErrorCode.h>
 #include <osgMultiTriangulation/core/zone/ExtractFromFile.h>
@@ -177,6 +183,91 @@ TEST(ExtractFromFile, filesOfTrianglesTellWhereTheyLie)
         EXPECT_EQ(read->points[0][0], -72.0 + 0.0625 * mesh.points[0].x);
         EXPECT_EQ(read->points[0][1], 44.0 + 0.125 * mesh.points[0].y);
     }
+}
+
+TEST(QuantizedMeshTile, isReadBackWithItsPlacesAndHeights)
+{
+    const PlacedHills here;
+    PlanFrame frame = here.frame;
+    frame.reference = PlanReference{"GEOGCS[\"WGS 84\",X]", 7.01, 46.01, 0.001, 0.001};
+    const SurfaceMesh mesh = here.extractAt(1.0).mesh;
+    const auto tile = earthTileOf("10/1064/773"); // 7.03 to 7.21 east, 45.88 to 46.05 north
+    ASSERT_TRUE(tile);
+    const auto bytes = quantizedMeshOf(mesh, frame, *tile, "hills.mt");
+    ASSERT_TRUE(bytes) << bytes.error().message();
+    const auto read = parseQuantizedMesh(*bytes, "tile.terrain");
+    ASSERT_TRUE(read) << read.error().message();
+    const auto placed = placeTin(*read, "tile.terrain");
+    ASSERT_TRUE(placed) << placed.error().message();
+    EXPECT_EQ(checkInput(placed->mesh), std::nullopt);
+    // The readers' plan is metres about the middle of the tile: back to the lattice of the hills.
+    const double metresOfDegree = foundation::kWgs84RadiusM * std::numbers::pi / 180.0;
+    const double south = tile->south(), west = tile->west(), half = tile->side() / 2.0;
+    const double shrinks = std::cos((south + half) * std::numbers::pi / 180.0);
+    std::size_t known = 0;
+    for (const MeasuredPoint& point : read->points)
+    {
+        const double column = (west + half + point[0] / (metresOfDegree * shrinks) - 7.01) / 0.001;
+        const double row = (south + half + point[1] / metresOfDegree - 46.01) / 0.001;
+        const auto at =
+            std::ranges::find_if(mesh.points, [&](const SurfacePoint& p)
+                                 { return std::abs(p.x - column) < 0.01 && std::abs(p.y - row) < 0.01; });
+        if (at == mesh.points.end()) continue; // on a side of the tile
+        EXPECT_NEAR(point[2], at->height, 0.01);
+        ++known;
+    }
+    EXPECT_GT(known, 200u);
+    EXPECT_LT(known, mesh.points.size()) << "the tile has only a part";
+}
+
+TEST(QuantizedMeshTile, fitsTheTileBesideIt)
+{
+    const PlacedHills here;
+    PlanFrame frame = here.frame;
+    frame.reference = PlanReference{"GEOGCRS[\"WGS 84\",X]", 7.01, 46.01, 0.001, 0.001};
+    const SurfaceMesh mesh = here.extractAt(1.0).mesh;
+    std::vector<std::vector<std::array<double, 2>>> sides; // by tile: north and height along the common side
+    for (const auto& [name, sign] : {std::pair{"11/2127/1547", 1.0}, {"11/2128/1547", -1.0}})
+    {
+        const auto tile = earthTileOf(name);
+        ASSERT_TRUE(tile) << name;
+        const auto bytes = quantizedMeshOf(mesh, frame, *tile, "hills.mt");
+        ASSERT_TRUE(bytes) << bytes.error().message();
+        const auto read = parseQuantizedMesh(*bytes, name);
+        ASSERT_TRUE(read) << read.error().message();
+        double farthest = 0.0;
+        for (const MeasuredPoint& point : read->points)
+            farthest = std::max(farthest, sign * point[0]);
+        auto& side = sides.emplace_back();
+        for (const MeasuredPoint& point : read->points)
+            if (sign * point[0] == farthest) side.push_back({point[1], point[2]});
+        std::ranges::sort(side);
+    }
+    ASSERT_EQ(sides[0].size(), sides[1].size());
+    EXPECT_GT(sides[0].size(), 8u);
+    for (std::size_t i = 0; i < sides[0].size(); ++i)
+    {
+        EXPECT_EQ(sides[0][i][0], sides[1][i][0]);
+        EXPECT_NEAR(sides[0][i][1], sides[1][i][1], 0.01) << "the rounding of heights";
+    }
+}
+
+TEST(QuantizedMeshTile, whatIsNoTileOrHasNoGroundIsTold)
+{
+    for (const char* name : {"", "9", "9/1/2/3", "9/-1/2", "2/1/1", "23/1/1", "9/1024/0", "9/0/512"})
+        EXPECT_FALSE(earthTileOf(name)) << name;
+    EXPECT_TRUE(earthTileOf("9/1023/511"));
+    const PlacedHills here;
+    PlanFrame frame = here.frame;
+    const auto fails = [&](const char* tile, const char* with)
+    {
+        const auto bytes = quantizedMeshOf(here.mesh, frame, *earthTileOf(tile), "hills.mt");
+        return !bytes && bytes.error().message().find(with) != std::string::npos;
+    };
+    EXPECT_TRUE(fails("10/1064/773", "degrees")) << "no reference";
+    frame.reference = PlanReference{"GEOGCS[\"WGS 84\",X]", 7.01, 46.01, 1e-6, 1e-6};
+    EXPECT_TRUE(fails("10/1063/772", "no ground"));
+    EXPECT_TRUE(fails("3/8/6", "tell from each other")) << "a tile of 22.5 degrees";
 }
 
 TEST(ExtractFromFile, filesOfTrianglesReadBackAlike)
