@@ -83,8 +83,11 @@ void EntityMotion::takeState(const EntityState& state, double timeS)
     _state = std::move(taken);
     _timeS = timeS;
     if (!_roads) return;
-    findPlace();
-    _state.position.z = state.position.z;
+    // What moves it knows how it stands.
+    std::optional<RoadPlace> place = _roads->nearest(_state.position, glm::radians(_state.headingDeg));
+    if (!place) return;
+    place->heightM = _state.place ? _state.place->heightM : 0.0;
+    _state.place = place;
 }
 
 void EntityMotion::goOn(double askedMps, double timeS)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simulation/player/EntityDistance.h"
+#include "simulation/player/way/JunctionKeeper.h"
 #include "simulation/scenario/VisitActions.h"
 
 namespace simulation
@@ -267,6 +268,12 @@ void ScenePerformer::vanish(int vehicle)
     _external.vanish(static_cast<std::size_t>(vehicle), timeS());
     actorOf(vehicle).isAbsent = true;
     motion(vehicle).setSpeed(0.0, timeS());
+}
+
+std::shared_ptr<JunctionKeeper> ScenePerformer::junctions()
+{
+    if (!_junctions && _roads) _junctions = std::make_shared<JunctionKeeper>(*_roads);
+    return _junctions;
 }
 
 const std::vector<LaneSite>& ScenePerformer::laneSites()

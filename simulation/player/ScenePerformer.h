@@ -84,6 +84,7 @@ public:
     {
         return {_published, _boxes, entity, &_signals.states(), &_environmentNow};
     }
+    std::shared_ptr<JunctionKeeper> junctions() override;
     int find(const std::string& entity) const override { return _scenario->entityIndex(entity); }
 
     // TrafficScene
@@ -166,6 +167,7 @@ private:
     std::map<std::string, bool> _monitors;
     Trailers _trailers;
     RoadTraffic _traffic;
+    std::shared_ptr<JunctionKeeper> _junctions;      ///< made when somebody asks for it
     std::optional<std::vector<LaneSite>> _laneSites; ///< made when traffic asks for them
     std::uint64_t _drawn = 0;                        ///< series of random numbers so far
 };

@@ -36,10 +36,15 @@ void addAt(const RoadScene& roads, const osgRoads::core::Road& road, double s, s
 
 } // namespace
 
+double laneSiteSpacingM(const RoadScene& roads)
+{
+    return std::max(kSpacingM, roads.network().usableLengthM() / kMostStations);
+}
+
 std::vector<LaneSite> laneSites(const RoadScene& roads)
 {
     std::vector<LaneSite> sites;
-    const double spacing = std::max(kSpacingM, roads.network().usableLengthM() / kMostStations);
+    const double spacing = laneSiteSpacingM(roads);
     for (const osgRoads::core::Road& road : roads.network().roads)
         if (road.isUsable && road.junctionId.empty())
             for (double s = 0.5 * std::min(spacing, road.length); s < road.length; s += spacing)

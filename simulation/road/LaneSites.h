@@ -16,6 +16,9 @@ struct LaneSite
     double headingRad = 0.0;
 };
 
+/// The metres from one place to the next along a road.
+double laneSiteSpacingM(const RoadScene& roads);
+
 /// Returns places on all lanes for cars, evenly along the roads, but for those within junctions: every 5 m,
 /// or farther apart so that there are some 40 000 at most. In the order of the file.
 std::vector<LaneSite> laneSites(const RoadScene& roads);

@@ -80,6 +80,10 @@ struct TrafficSwarm
     double innerRadiusM = 0.0;
     double offsetM = 0.0; ///< of the ellipse's middle ahead of the entity
     int count = 0;
+
+    /// Vehicles a kilometre of street in the ellipse, up to `count`, which keep the rules; nothing: `count`.
+    /// Scenarios of the standard have none.
+    std::optional<double> perKm{};
     std::optional<SpeedRange> speed;
     double sameDirection = 1.0, oppositeDirection = 1.0; ///< weights
     TrafficMix mix;

@@ -17,6 +17,8 @@
 namespace simulation
 {
 
+class JunctionKeeper;
+
 /// What an action may ask and change while it runs.
 class ActionScene
 {
@@ -41,6 +43,9 @@ public:
 
     /// The others as an entity with physics sees them: all as they were before the step.
     virtual Traffic trafficOf(int entity) const = 0;
+
+    /// Who may drive into the junctions of the roads; null without roads.
+    virtual std::shared_ptr<JunctionKeeper> junctions() = 0;
 
     /// Returns the index of an entity, or -1.
     virtual int find(const std::string& entity) const = 0;

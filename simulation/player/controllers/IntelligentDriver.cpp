@@ -7,6 +7,7 @@
 #include "simulation/player/StopAhead.h"
 #include "simulation/player/controllers/SpeedController.h"
 #include "simulation/player/controllers/SpeedControllers.h"
+#include "simulation/player/way/WayDriver.h"
 #include "simulation/road/FollowingModel.h"
 #include "simulation/road/StopSignals.h"
 
@@ -18,7 +19,9 @@ namespace
 /// Follows the vehicle ahead by the intelligent driver model:
 /// a·(1 − (v / v0)⁴ − (s* / s)²), s* = s0 + v·T + v·Δv / (2·√(a·b)).
 /// Properties (esmini's NaturalDriver has the first three): desiredSpeed v0, desiredDistance s0, desiredTHW
-/// T, maxAcc a, comfortDec b.
+/// T, maxAcc a, comfortDec b. With keepsRules it drives as fast as limits and bends allow (desiredSpeed is
+/// the most, limitShare what it drives of the limits), sees all that is on its way, and gives way at
+/// junctions unless givesWay is false.
 class IntelligentDriver final : public SpeedController
 {
 public:
@@ -28,17 +31,31 @@ public:
           _distanceM(controller.number("desiredDistance", 2.0)),
           _headwayS(controller.number("desiredTHW", 1.5)),
           _accelerationMps2(controller.number("maxAcc", 1.5)),
-          _decelerationMps2(controller.number("comfortDec", 2.0))
+          _decelerationMps2(controller.number("comfortDec", 2.0)),
+          _limitShare(controller.number("limitShare", 1.0)),
+          _keepsRules(controller.properties.find("keepsRules") == "true"),
+          _givesWay(controller.properties.find("givesWay") != "false")
     {
+        if (_keepsRules && !controller.properties.find("desiredSpeed")) _desiredMps = kAnyMps;
     }
 
     double speedAfter(ActionScene& scene, int actor) override
     {
         constexpr double kLookAheadM = 200.0, kLateralM = 5.0, kBeforeLineM = 1.0;
-        const double share = _desiredMps > 0.0 ? _speedMps / _desiredMps : 1.0;
+        constexpr double kBeforeJunctionM = 3.0; ///< others swing out as they turn
+        const auto advice = rulesAhead(scene, actor);
+        const double wantedMps =
+            advice ? std::min(_desiredMps, _limitShare * advice->allowedMps) : _desiredMps;
+        const double share = wantedMps > 0.0 ? _speedMps / wantedMps : 1.0;
         double acceleration = 1.0 - share * share * share * share;
         double crowd = 0.0;
-        if (const auto lead = leadVehicleOf(scene, actor, kLookAheadM, kLateralM))
+        if (advice)
+        {
+            if (advice->lead) crowd = crowdedBy(advice->lead->gapM, advice->lead->speedMps);
+            if (advice->lineM)
+                crowd = std::max(crowd, crowdedBy(*advice->lineM + _distanceM - kBeforeJunctionM, 0.0));
+        }
+        else if (const auto lead = leadVehicleOf(scene, actor, kLookAheadM, kLateralM))
             crowd = crowdedBy(lead->gapM, scene.motion(lead->entity).state().speedMps);
         // A line to stop at is as one that stands with its back at the line.
         if (const auto gapM = lineAhead(scene, actor))
@@ -56,6 +73,16 @@ public:
     void resume(double speedMps) override { _speedMps = speedMps; }
 
 private:
+    static constexpr double kAnyMps = 100.0; ///< whatever is allowed
+
+    /// Nothing: it does not keep the rules, or is on no road.
+    std::optional<WayAdvice> rulesAhead(ActionScene& scene, int actor)
+    {
+        if (!_keepsRules || !scene.roads()) return std::nullopt;
+        if (!_way) _way = std::make_unique<WayDriver>(scene, scene.junctions(), actor, _givesWay);
+        return _way->look(scene, _speedMps);
+    }
+
     /// The gap to the next line at which it has to stop. At a sign it stands for a while, and then goes on.
     std::optional<double> lineAhead(ActionScene& scene, int actor)
     {
@@ -89,7 +116,10 @@ private:
 
     double _speedMps;
     double _desiredMps, _distanceM, _headwayS, _accelerationMps2, _decelerationMps2;
-    double _waitedS = 0.0; ///< at the sign ahead
+    double _limitShare;
+    bool _keepsRules, _givesWay;
+    std::unique_ptr<WayDriver> _way; ///< of one that keeps the rules, once it has looked
+    double _waitedS = 0.0;           ///< at the sign ahead
     std::optional<double> _servedSignM;
     std::optional<bool> _hasSigns; ///< in the network; nothing: not looked for yet
 };

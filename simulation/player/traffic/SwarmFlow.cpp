@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Source: ASAM OpenSCENARIO XML 1.3, TrafficSwarmAction.
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
 #include "simulation/player/traffic/TrafficFlow.h"
+#include "simulation/player/way/JunctionKeeper.h"
 
 namespace simulation
 {
@@ -13,6 +15,40 @@ namespace
 
 constexpr double kRimShare = 0.85;   ///< of the ellipse, beyond which vehicles appear later on
 constexpr double kSwarmPauseS = 0.5; ///< before the next attempt where there was no room
+
+/// How far it is from a site to the end of its road. Units: metres.
+double roomAheadM(const RoadScene& roads, const LaneSite& site)
+{
+    return looksForward(site.place) ? roads.roadAt(site.place).length - site.place.s : site.place.s;
+}
+
+/// Whether somebody who keeps the rules may appear at a site: it leads to other roads, and there is room to
+/// brake before the next one.
+bool isGoodSite(TrafficScene& scene, const LaneSite& site)
+{
+    constexpr double kBrakesM = 25.0;
+    const JunctionLane lane{site.place.road, site.place.lane, looksForward(site.place)};
+    return roomAheadM(*scene.roads(), site) > kBrakesM && scene.junctions()->table().leadsOn(lane);
+}
+
+/// The same place some way from the middle of the road, where people drive.
+RoadPlace keptRight(const RoadScene& roads, RoadPlace place)
+{
+    constexpr double kAsideM = 0.15;
+    const double relative = place.relativeHeadingRad;
+    const double side = place.lane > 0 ? 1.0 : -1.0; // lanes above 0 lie to the left
+    (void)roads.putOnLane(place, place.lane, side * kAsideM);
+    place.relativeHeadingRad = relative;
+    return place;
+}
+
+/// The speed at which it can still stop at the end of its road.
+double soundSpeed(TrafficScene& scene, int vehicle, const LaneSite& site)
+{
+    constexpr double kBrakesMps2 = 1.5, kBeforeM = 10.0;
+    const double roomM = std::max(0.0, roomAheadM(*scene.roads(), site) - kBeforeM);
+    return std::min(defaultSpeed(scene, vehicle, site.place), std::sqrt(2.0 * kBrakesMps2 * roomM));
+}
 
 /// Vehicles that leave the ellipse vanish, and others appear near its rim; the first ones appear anywhere in
 /// it. Along the entity lies the semi-major axis.
@@ -47,19 +83,46 @@ private:
                           beside / std::max(_swarm.semiMinorM, 1e-6));
     }
 
+    /// How many more may appear. `insideM`: of streets.
+    int missing(TrafficScene& scene, double insideM) const
+    {
+        const auto present = std::count_if(_vehicles.begin(), _vehicles.end(),
+                                           [&](int vehicle) { return scene.isPresent(vehicle); });
+        const auto most = static_cast<std::ptrdiff_t>(_vehicles.size());
+        if (!_swarm.perKm) return static_cast<int>(most - present);
+        const auto wanted = static_cast<std::ptrdiff_t>(std::lround(*_swarm.perKm * insideM / 1000.0));
+        return static_cast<int>(std::min(wanted, most) - present);
+    }
+
     void fill(TrafficScene& scene, const EntityState& central)
     {
         std::vector<const LaneSite*> same, opposite;
+        const double spacingM = laneSiteSpacingM(*scene.roads());
+        const double reachM =
+            std::max(_swarm.semiMajorM, _swarm.semiMinorM) + std::fabs(_swarm.offsetM) + 1.0;
+        double insideM = 0.0;
+        const RoadPlace* counted = nullptr; ///< the last site of which the street has been counted
         for (const LaneSite& site : scene.laneSites())
         {
+            if (std::fabs(site.position.x - central.position.x) > reachM) continue; // spares most of the work
             const double share = radius(central, site.position);
+            const bool isCounted = counted && counted->road == site.place.road && counted->s == site.place.s;
+            if (share <= 1.0 && !isCounted)
+            {
+                counted = &site.place;
+                insideM += spacingM;
+            }
             const bool isOutside =
                 glm::length(glm::dvec2(site.position - central.position)) >= _swarm.innerRadiusM;
             if (share > 1.0 || !isOutside || (_isFilled && share < kRimShare)) continue;
+            if (_swarm.perKm && !isGoodSite(scene, site)) continue;
             const bool isSame = std::cos(site.headingRad - glm::radians(central.headingDeg)) >= 0.0;
             (isSame ? same : opposite).push_back(&site);
         }
-        for (int vehicle = absentOf(scene, _vehicles); vehicle >= 0; vehicle = absentOf(scene, _vehicles))
+        if (_swarm.perKm) _nextS = scene.timeS() + kSwarmPauseS;
+        int more = missing(scene, insideM);
+        for (int vehicle = absentOf(scene, _vehicles); vehicle >= 0 && more > 0;
+             vehicle = absentOf(scene, _vehicles), --more)
         {
             const std::vector<double> weights{_swarm.sameDirection, _swarm.oppositeDirection};
             const bool hasWeights = weights[0] + weights[1] > 0.0;
@@ -70,9 +133,13 @@ private:
                 _nextS = scene.timeS() + kSwarmPauseS;
                 return;
             }
-            scene.appear(vehicle, site->place,
-                         _swarm.speed ? _draw.uniform(_swarm.speed->leastMps, _swarm.speed->mostMps)
-                                      : defaultSpeed(scene, vehicle, site->place));
+            if (_swarm.perKm)
+                scene.appear(vehicle, keptRight(*scene.roads(), site->place),
+                             soundSpeed(scene, vehicle, *site));
+            else
+                scene.appear(vehicle, site->place,
+                             _swarm.speed ? _draw.uniform(_swarm.speed->leastMps, _swarm.speed->mostMps)
+                                          : defaultSpeed(scene, vehicle, site->place));
         }
     }
 

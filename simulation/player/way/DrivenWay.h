@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "simulation/parser/RandomDraw.h"
+#include "simulation/player/EntityMotion.h"
+#include "simulation/road/JunctionTable.h"
+
+namespace simulation
+{
+
+/// The way of a vehicle along lanes, from some metres behind it to some hundred metres ahead: where it leads,
+/// how fast one may go there, and through which junctions. Where several roads follow it draws one that does
+/// not lead to the end of all roads, and lets the entity follow it. Distances count along the way from where
+/// it began. Units: metres, m/s.
+class DrivenWay
+{
+public:
+    struct Point
+    {
+        glm::dvec3 place{0.0};
+        double alongM = 0.0;
+        double headingRad = 0.0;
+        double limitMps = 0.0;   ///< of signs, and of the bend
+        double allowedMps = 0.0; ///< to keep the limits ahead by gentle braking
+    };
+
+    /// A road of the way through a junction.
+    struct Crossing
+    {
+        JunctionLane lane;
+        double fromM = 0.0, toM = 0.0; ///< `toM` behind all points: not known yet
+    };
+
+    /// `draw`: which roads it takes; nothing: those of the entity's own way, else the straightest. `table`
+    /// must outlive it.
+    DrivenWay(JunctionTable& table, std::optional<RandomDraw> draw) : _table(&table), _draw(std::move(draw))
+    {
+    }
+
+    /// Goes on to where an entity is on its lane, and looks farther ahead. False: it is on no road.
+    bool follow(EntityMotion& motion);
+
+    const std::vector<Point>& points() const { return _points; }
+    std::size_t at() const { return _at; } ///< the last point that is not ahead
+    double alongM() const { return _alongM; }
+    double allowedMps() const;
+    const std::vector<Crossing>& crossings() const { return _crossings; } ///< ahead, under it and just behind
+
+private:
+    void begin(EntityMotion& motion);
+    bool findPlace(const glm::dvec3& position);
+    void forget();
+    void lookAhead(EntityMotion& motion);
+    void choose(EntityMotion& motion);
+    void add(const RoadPlace& place);
+    void findLimits();
+
+    JunctionTable* _table;
+    std::optional<RandomDraw> _draw;
+    RoadWay _way;              ///< roads, from that under the entity
+    std::size_t _tailRoad = 0; ///< of the way, on which the last point lies
+    RoadPlace _tail;
+    bool _hasEnded = false; ///< at the end of the last road
+    std::vector<Point> _points;
+    std::vector<Crossing> _crossings;
+    std::size_t _at = 0;
+    double _alongM = 0.0;
+};
+
+} // namespace simulation

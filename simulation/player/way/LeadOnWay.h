@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "simulation/player/actions/RunningAction.h"
+#include "simulation/player/way/DrivenWay.h"
+#include "simulation/player/way/JunctionKeeper.h"
+
+namespace simulation
+{
+
+/// Who is on the way of a vehicle, ahead of it.
+struct LeadOnWay
+{
+    int entity = -1;
+    double rearM = 0.0;    ///< its nearest part, along the way
+    double gapM = 0.0;     ///< from the front of the vehicle
+    double speedMps = 0.0; ///< along the way; negative: it comes nearer
+};
+
+/// Returns the nearest entity that stands or moves where a vehicle is about to drive, up to `aheadM` before
+/// its front: any part of its box counts that reaches into the strip that the vehicle needs. Of those that
+/// keep the rules, too, whoever comes along the other lane does not count. Nothing: the way is free.
+std::optional<LeadOnWay> leadOnWay(ActionScene& scene, int actor, const DrivenWay& way,
+                                   const JunctionKeeper& keeper, double aheadM);
+
+} // namespace simulation

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Differs from the models of gap acceptance of the literature: who is let in has the junction's lanes that
+// cross its own for itself until it has left them, so that no two can meet there, whatever they do.
+#include "simulation/player/way/WayDriver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <foundation/Angle.h>
+#include <glm/geometric.hpp>
+
+namespace simulation
+{
+namespace
+{
+
+constexpr double kClaimSeenM = 90.0; ///< before a junction others know of it
+constexpr double kToLineMps2 = 1.5, kGiveBackMps2 = 4.0;
+constexpr double kRoomBehindM = 3.0; ///< to whoever stands behind a junction
+constexpr double kWayLookM = 100.0;  ///< at most; else to stop in, and more
+constexpr double kWayLeastM = 20.0, kWayLookS = 2.0;
+
+const BoundingBox& wayBoxOf(const ActionScene& scene, int entity)
+{
+    return scene.scenario().entities[static_cast<std::size_t>(entity)].box();
+}
+
+} // namespace
+
+WayDriver::WayDriver(ActionScene& scene, std::shared_ptr<JunctionKeeper> keeper, int actor, bool givesWay)
+    : _keeper(std::move(keeper)),
+      _actor(actor),
+      _givesWay(givesWay),
+      _way(_keeper->table(), scene.motion(actor).turns())
+{
+    _keeper->of(actor) = {};
+}
+
+WayDriver::~WayDriver()
+{
+    _keeper->leave(_actor);
+}
+
+std::optional<WayAdvice> WayDriver::look(ActionScene& scene, double speedMps)
+{
+    if (!_way.follow(scene.motion(_actor))) return std::nullopt;
+    measure(scene, speedMps);
+    WayAdvice advice;
+    advice.allowedMps = _way.allowedMps();
+    const double aheadM = kWayLeastM + kWayLookS * speedMps + speedMps * speedMps / (2.0 * kToLineMps2);
+    advice.lead = leadOnWay(scene, _actor, _way, *_keeper, std::min(aheadM, kWayLookM));
+    if (!_givesWay) return advice;
+    giveBack(advice.lead);
+    advice.lineM = ask(scene, advice.lead);
+    return advice;
+}
+
+/// Where the claims are now; new ones come within sight, old ones lie behind.
+void WayDriver::measure(ActionScene& scene, double speedMps)
+{
+    constexpr double kStandsMps = 0.3;
+    const BoundingBox& box = wayBoxOf(scene, _actor);
+    _frontM = _way.alongM() + box.centre.x + 0.5 * box.lengthM;
+    JunctionApproach& own = _keeper->of(_actor);
+    own.lengthM = box.lengthM;
+    own.speedMps = speedMps;
+    own.standsS = speedMps < kStandsMps ? own.standsS + scene.stepS() : 0.0;
+    std::vector<JunctionClaim> claims;
+    for (const DrivenWay::Crossing& crossing : _way.crossings())
+    {
+        const double rearM = _frontM - box.lengthM;
+        if (crossing.toM < rearM || crossing.fromM > _frontM + kClaimSeenM) continue;
+        JunctionClaim claim{crossing.lane, crossing.fromM, _frontM - crossing.fromM, rearM - crossing.fromM,
+                            _frontM > crossing.fromM + 0.5};
+        for (const JunctionClaim& before : own.claims)
+            if (before.isHeld && before.fromM == crossing.fromM) claim.isHeld = true;
+        claims.push_back(claim);
+    }
+    own.claims = std::move(claims);
+}
+
+double WayDriver::endOf(std::size_t claim) const
+{
+    const double fromM = _keeper->of(_actor).claims[claim].fromM;
+    for (const DrivenWay::Crossing& crossing : _way.crossings())
+        if (crossing.fromM == fromM) return std::min(crossing.toM, _way.points().back().alongM);
+    return fromM;
+}
+
+/// The end of the junctions that have to be passed together, because there is no room to stand between them.
+std::size_t WayDriver::chainFrom(std::size_t first) const
+{
+    const JunctionApproach& own = _keeper->of(_actor);
+    std::size_t end = first + 1;
+    while (end < own.claims.size() && own.claims[end].fromM - endOf(end - 1) < own.lengthM + kRoomBehindM)
+        ++end;
+    return end;
+}
+
+/// Who was let in and cannot go gives the junction back.
+void WayDriver::giveBack(const std::optional<LeadOnWay>& lead)
+{
+    constexpr double kStandsS = 2.0;
+    JunctionApproach& own = _keeper->of(_actor);
+    for (std::size_t i = 0; i < own.claims.size(); ++i)
+    {
+        JunctionClaim& claim = own.claims[i];
+        if (!claim.isHeld || claim.frontM > -0.5) continue;
+        const bool isLeadBefore = lead && lead->rearM < claim.fromM + 1.0;
+        const bool canStop = own.speedMps * own.speedMps < -2.0 * kGiveBackMps2 * claim.frontM;
+        if ((isLeadBefore && own.standsS > kStandsS) || (canStop && !hasRoomBehind(i, chainFrom(i), lead)))
+            claim.isHeld = false;
+    }
+}
+
+/// Asks for the next junctions. Returns the way to the line before them; nothing: it may go on.
+std::optional<double> WayDriver::ask(ActionScene& scene, const std::optional<LeadOnWay>& lead)
+{
+    constexpr double kDecidesM = 10.0;
+    JunctionApproach& own = _keeper->of(_actor);
+    std::size_t first = 0;
+    while (first < own.claims.size() && own.claims[first].isHeld)
+        ++first;
+    if (first == own.claims.size()) return std::nullopt;
+    const double lineM = -own.claims[first].frontM;
+    if (lineM > own.speedMps * own.speedMps / (2.0 * kToLineMps2) + kDecidesM) return std::nullopt;
+    const std::size_t end = chainFrom(first);
+    own.hasRoomBehind = hasRoomBehind(first, end, lead);
+    if (!own.hasRoomBehind || isStrangerAhead(scene, first, end, lead)) return lineM;
+    for (std::size_t i = first; i < end; ++i)
+        if (!_keeper->mayEnter(_actor, own.claims[i])) return lineM;
+    for (std::size_t i = first; i < end; ++i)
+        own.claims[i].isHeld = true;
+    return std::nullopt;
+}
+
+/// Whether the vehicle could leave the junctions again, and nobody is between it and them.
+bool WayDriver::hasRoomBehind(std::size_t first, std::size_t end, const std::optional<LeadOnWay>& lead) const
+{
+    constexpr double kGoesMps = 2.5;
+    if (!lead) return true;
+    const JunctionApproach& own = _keeper->of(_actor);
+    if (lead->rearM < own.claims[first].fromM + 1.0) return lead->speedMps > kGoesMps;
+    return lead->speedMps > kGoesMps || lead->rearM > endOf(end - 1) + own.lengthM + kRoomBehindM;
+}
+
+/// Whether somebody who asks nobody, as a person does not, is there or will be while the vehicle passes.
+bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end,
+                                const std::optional<LeadOnWay>& lead) const
+{
+    constexpr double kNearM = 80.0, kCrossingM = 3.0, kBesideM = 2.0, kStepS = 0.5, kMostS = 6.0;
+    const JunctionApproach& own = _keeper->of(_actor);
+    const double fromM = own.claims[first].fromM, toM = endOf(end - 1);
+    const double passesS = std::min(kMostS, secondsFor(toM - _frontM + own.lengthM, own.speedMps) + 1.0);
+    const EntityState& self = scene.motion(_actor).state();
+    const glm::dvec2 ahead(self.bodyToLocal()[0]);
+    for (int i = 0; i < static_cast<int>(scene.scenario().entities.size()); ++i)
+    {
+        if (i == _actor || !scene.isPresent(i) || _keeper->isKept(i)) continue;
+        const EntityState& other = scene.motion(i).state();
+        const glm::dvec2 apart(other.position - self.position), velocity(other.velocity);
+        if (glm::length(apart) > kNearM || std::fabs(other.position.z - self.position.z) > kNearM) continue;
+        const bool followsIt = glm::dot(apart, ahead) < 0.0 && glm::dot(velocity, ahead) >= 0.0;
+        const bool leadsIt = lead && lead->entity == i && lead->speedMps > 1.0;
+        if (followsIt || leadsIt) continue;
+        const BoundingBox& box = wayBoxOf(scene, i);
+        const glm::dvec2 middle = glm::dvec2(other.position + other.bodyToLocal() * box.centre);
+        for (double laterS = 0.0; laterS <= passesS; laterS += kStepS)
+            for (const DrivenWay::Point& point : _way.points())
+            {
+                if (point.alongM < fromM || point.alongM > toM) continue;
+                if (std::fabs(point.place.z - other.position.z) > 3.5) continue;
+                const double turn = std::sin(foundation::radiansOf(other.headingDeg) - point.headingRad);
+                const double nearM = std::fabs(turn) < 0.35 ? kBesideM : kCrossingM;
+                const glm::dvec2 between = middle + laterS * velocity - glm::dvec2(point.place);
+                if (glm::dot(between, between) < nearM * nearM) return true;
+            }
+    }
+    return false;
+}
+
+} // namespace simulation

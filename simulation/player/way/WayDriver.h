@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "simulation/player/actions/RunningAction.h"
+#include "simulation/player/way/DrivenWay.h"
+#include "simulation/player/way/JunctionKeeper.h"
+#include "simulation/player/way/LeadOnWay.h"
+
+namespace simulation
+{
+
+/// What somebody who keeps the rules has to know for its speed.
+struct WayAdvice
+{
+    double allowedMps = 0.0; ///< by limits and bends, here and ahead
+    std::optional<LeadOnWay> lead;
+    std::optional<double> lineM; ///< from the front to the junction before which it has to stop
+};
+
+/// The eyes of a driver who keeps the rules: it knows its way, sees who is on it, and asks at junctions.
+/// Nobody is let in who could not leave the junction again.
+class WayDriver
+{
+public:
+    /// `keeper`: of the scene. `givesWay`: else it drives into junctions without asking.
+    WayDriver(ActionScene& scene, std::shared_ptr<JunctionKeeper> keeper, int actor, bool givesWay);
+    ~WayDriver();
+    WayDriver(const WayDriver&) = delete;
+    WayDriver& operator=(const WayDriver&) = delete;
+
+    /// Nothing: the vehicle is on no road.
+    std::optional<WayAdvice> look(ActionScene& scene, double speedMps);
+
+private:
+    void measure(ActionScene& scene, double speedMps);
+    void giveBack(const std::optional<LeadOnWay>& lead);
+    std::optional<double> ask(ActionScene& scene, const std::optional<LeadOnWay>& lead);
+    std::size_t chainFrom(std::size_t first) const;
+    bool hasRoomBehind(std::size_t first, std::size_t end, const std::optional<LeadOnWay>& lead) const;
+    bool isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end,
+                         const std::optional<LeadOnWay>& lead) const;
+    double endOf(std::size_t claim) const;
+
+    std::shared_ptr<JunctionKeeper> _keeper;
+    int _actor;
+    bool _givesWay;
+    DrivenWay _way;
+    double _frontM = 0.0; ///< along the way
+};
+
+} // namespace simulation

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "simulation/road/RoadScene.h"
+
+namespace simulation
+{
+
+/// A lane through a junction.
+struct JunctionLane
+{
+    int road = -1; ///< the connecting road, an index into RoadNetwork::roads
+    int lane = 0;  ///< where it is entered
+    bool isForward = true;
+
+    auto operator<=>(const JunctionLane&) const = default;
+};
+
+/// Where two vehicles on two lanes through a junction have no room beside each other. Units: metres along
+/// each lane, of the rear axle, from where the lane is entered.
+struct LaneConflict
+{
+    double ownFromM = 0.0, ownToM = 0.0, otherFromM = 0.0, otherToM = 0.0;
+};
+
+/// What the lanes through junctions have to do with each other, and which lanes go on for ever. Answers are
+/// worked out when they are asked for first. Threads: one.
+/// Source: ASAM OpenDRIVE 1.8, 12 (junctions); signs by the German catalogue (Straßenverkehrs-Ordnung, § 8,
+/// § 9 and annexes 2 and 3).
+class JunctionTable
+{
+public:
+    /// `roads` must outlive it.
+    explicit JunctionTable(const RoadScene& roads) : _roads(&roads) {}
+
+    const RoadScene& roads() const { return *_roads; }
+
+    /// The index of the junction that a road belongs to; -1: to none.
+    int junctionOf(int road) const;
+
+    /// Null: both may be driven at once. So may two that begin in one lane, where one follows the other.
+    const LaneConflict* conflict(const JunctionLane& own, const JunctionLane& other);
+
+    /// Whether `other` goes before `own`: by priorities of the junction, by signs to give way, to stop or of
+    /// a road with priority, by a roundabout's ring; of two that face each other whoever does not turn across
+    /// the way of the other; else whoever comes from the right, from the left in left-hand traffic.
+    bool goesBefore(const JunctionLane& other, const JunctionLane& own);
+
+    /// Whether a lane that is entered there leads to no end of the roads within a kilometre, on one way at
+    /// least. Where all roads end, all do.
+    bool leadsOn(const JunctionLane& lane);
+
+private:
+    /// A vehicle on a lane, by its rear axle.
+    struct Body
+    {
+        glm::dvec2 place{0.0};
+        double headingRad = 0.0;
+        double alongM = 0.0; ///< of the lane; negative: before it
+    };
+
+    /// What a vehicle needs on a lane: one a metre.
+    struct Shape
+    {
+        std::vector<Body> bodies;
+        int incoming = -1;        ///< road that leads there
+        bool comesForward = true; ///< along that road
+        bool isInRing = false;
+        double turnRad = 0.0; ///< positive: to the left
+    };
+
+    enum class Sign
+    {
+        none,
+        givesWay,
+        hasPriority
+    };
+
+    static bool areMeeting(const Body& a, const Body& b);
+    const Shape& shapeOf(const JunctionLane& lane);
+    Shape shaped(const JunctionLane& lane) const;
+    void findIncoming(const JunctionLane& lane, Shape& shape) const;
+    bool isRing(int road, bool isForward) const;
+    Sign signOf(const Shape& shape) const;
+    void findEnds();
+
+    const RoadScene* _roads;
+    std::map<JunctionLane, Shape> _shapes;
+    std::map<std::pair<JunctionLane, JunctionLane>, std::pair<bool, LaneConflict>> _conflicts;
+    std::map<std::pair<JunctionLane, JunctionLane>, bool> _before;
+    bool _hasEnds = false;
+    std::map<JunctionLane, double> _endsAfterM; ///< of lanes that lead to ends alone
+};
+
+} // namespace simulation
