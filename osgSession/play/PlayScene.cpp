@@ -184,6 +184,7 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
         if (*roads && !stage.origin) stage.projection = simulation::projectionOf(**roads);
         stage.roads = std::move(*roads);
     }
+    if (request.trafficRoads) stage.roads = request.trafficRoads;
     stage.motions = request.motions;
     stage.roadsUnder = request.roadsUnder;
     if (const auto seated = addSeat(stage, scenario, terrain, request); !seated) return seated.error();

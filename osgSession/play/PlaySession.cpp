@@ -63,10 +63,11 @@ PlaySession::PlaySession(const PlayRequest& request, PlayScene play)
 foundation::Result<std::unique_ptr<PlaySession>>
 PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request)
 {
-    // What a person does counts the same steps at every rate of pictures.
+    // What a person and the traffic do counts the same steps at every rate of pictures.
     return create(std::move(scenario), std::move(terrain), request,
-                  request.seat ? simulation::FixedClock(kSeatStepsPerSecond)
-                               : simulation::FixedClock::forFrameRate(request.frames.perSecond));
+                  request.seat || request.trafficRoads
+                      ? simulation::FixedClock(kSeatStepsPerSecond)
+                      : simulation::FixedClock::forFrameRate(request.frames.perSecond));
 }
 
 foundation::Result<std::unique_ptr<PlaySession>> PlaySession::create(simulation::Scenario scenario,

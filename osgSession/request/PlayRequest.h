@@ -221,8 +221,12 @@ struct PlayRequest
     std::map<std::string, std::shared_ptr<simulation::ExternalMotion>> motions{};
     std::shared_ptr<const simulation::RoadScene> roadsUnder{}; ///< as PlayerOptions has them
     std::optional<SeatRequest> seat{};                         ///< absent: nobody sits anywhere
-    double longestS = 3600.0;                                  ///< limit for a scenario that never ends
-    std::uint64_t seed = 0;                                    ///< of what the player leaves to chance
+    double trafficPerKm = 0.0; ///< vehicles a kilometre of street around a ride
+    /// where that traffic drives, in the scene's frame; null: nowhere. The steps of the play are then those
+    /// of a seat.
+    std::shared_ptr<const simulation::RoadScene> trafficRoads{};
+    double longestS = 3600.0; ///< limit for a scenario that never ends
+    std::uint64_t seed = 0;   ///< of what the player leaves to chance
     simulation::WithoutRoads without = simulation::WithoutRoads::refused;
 };
 

@@ -13,7 +13,10 @@
 #include "play/PlaySession.h"
 #include "scene/DriveWay.h"
 #include "scene/ScenarioStage.h"
+#include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/scenario/VehicleFiles.h"
+#include "simulation/road/RoadScene.h"
+#include "simulation/scenario/SessionTraffic.h"
 #include "simulation/track/LayRecordings.h"
 
 namespace osgSession
@@ -100,6 +103,19 @@ foundation::Outcome checkPicture(const PictureSettings& picture)
                              std::to_string(picture.widthPx) + " x " + std::to_string(picture.heightPx) +
                                  " is no size of a picture",
                              "give 1 to " + std::to_string(kMostPx) + " pixels"};
+}
+
+foundation::Outcome checkTraffic(const SessionSettings& settings)
+{
+    const double perKm = settings.trafficPerKm;
+    if (!(perKm >= 0.0 && perKm <= simulation::SessionTraffic::kMostPerKm))
+        return foundation::Error{"SessionSettings",
+                                 std::to_string(perKm) + " vehicles a kilometre are no traffic",
+                                 "give 0 to 60"};
+    if (perKm > 0.0 && !settings.play.scenario.empty())
+        return foundation::Error{"SessionSettings", "a scenario has the traffic that it says",
+                                 "leave trafficPerKm at 0, or write a TrafficAction into the scenario"};
+    return foundation::success();
 }
 
 /// Tells a host how far an opening is.
@@ -189,6 +205,7 @@ Session::~Session() = default;
 foundation::Result<std::unique_ptr<Session>> Session::open(const SessionSettings& settings)
 {
     if (const auto usable = checkPicture(settings.picture); !usable) return usable.error();
+    if (const auto usable = checkTraffic(settings); !usable) return usable.error();
     trainer::PlayRequest request = requestOf(settings);
     const auto teller = std::make_shared<OpeningTeller>(settings.progress);
     if (settings.progress)
@@ -197,12 +214,24 @@ foundation::Result<std::unique_ptr<Session>> Session::open(const SessionSettings
     const bool isRide = settings.play.scenario.empty();
     auto staged = isRide ? stageRide(settings, request) : stageScenario(settings, request);
     if (!staged) return staged.error();
+    if (settings.trafficPerKm > 0.0 && staged->terrain.roads)
+    {
+        // Whoever flies sees farther.
+        const bool flies = staged->scenario.entities.front().isAirborne();
+        simulation::addTraffic(staged->scenario, core::kRideEntity,
+                               {settings.trafficPerKm, flies ? 1500.0 : 400.0});
+        request.trafficRoads =
+            std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*staged->terrain.roads));
+    }
     core::PlaySettings play = settings.play;
     if (isRide) play.driven = {{core::kRideEntity, settings.vehicle}};
     auto parts = std::make_unique<core::Play::Parts>();
     auto driven = core::makeDriven(play, staged->scenario, staged->wheels, staged->terrain.origin());
     if (!driven) return driven.error();
     parts->driven = std::move(*driven);
+    if (request.trafficRoads)
+        for (const auto& [entity, vehicle] : parts->driven)
+            vehicle.motion()->meetOthers();
     parts->notes = std::move(staged->notes);
     request.motions = core::motionsOf(parts->driven);
     auto session = trainer::PlaySession::create(std::move(staged->scenario), std::move(staged->terrain),

@@ -45,6 +45,35 @@ TEST(Drive, GivesTheSameBytesAgainAndByItsRecordedInputs)
     EXPECT_EQ(first, driven("replayed.csv", "--inputs"));
 }
 
+TEST(Drive, HasTheSameTrafficAgainAndAtEveryRateOfPictures)
+{
+    const Workplace place;
+    const auto driven = [&](const std::string& log, const std::vector<std::string>& options)
+    {
+        const std::string file = place.path(log);
+        std::vector<std::string> words{"drive", kStreet,  "--vehicle", kDriven,        "--traffic",
+                                       "30",    "--seed", "3",         "--csv_logger", file};
+        words.insert(words.end(), options.begin(), options.end());
+        EXPECT_TRUE(succeeds(runTrainer(words)));
+        return bytesOf(file);
+    };
+    const std::vector<std::string> alone{"--headless", "--duration", "2"};
+    const std::string first = driven("first.csv", alone);
+    EXPECT_NE(first.find("Traffic 3"), std::string::npos);
+    EXPECT_EQ(first, driven("second.csv", alone));
+    const auto drawn = [&](const std::string& perSecond, const std::string& frames)
+    {
+        return driven("drawn.csv",
+                      {"--fps", perSecond, "--frames", frames, "--size", "64x36", "--samples", "1",
+                       "--shadows", "off", "--eye", "above", "--capture", place.path("frames" + perSecond)});
+    };
+    const std::string drawnAtFive = drawn("5", "10");
+    EXPECT_EQ(drawnAtFive, drawn("7", "14"));
+    // Of the same 2 s; the names of the plays differ.
+    const auto rowsOf = [](const std::string& table) { return table.substr(table.find("Index")); };
+    EXPECT_EQ(rowsOf(drawnAtFive), rowsOf(first));
+}
+
 TEST(Drive, OnIceItComesLessFar)
 {
     const auto drivenM = [](const std::string& surface)

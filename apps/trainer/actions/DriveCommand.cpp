@@ -20,6 +20,7 @@
 #include "simulation/control/driver/ManualDriver.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/road/RoadScene.h"
+#include "simulation/scenario/SessionTraffic.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
 
@@ -115,11 +116,12 @@ public:
         auto motion = std::make_shared<simulation::VehicleMotion>(
             std::move(driven), _ground, std::make_shared<const simulation::WeatherAir>());
         motion->followWeather(_origin ? _origin->heightM : 0.0, 0.0);
+        if (_request.play.trafficRoads) motion->meetOthers();
         const double startM = _startsM[place];
-        return Ride{osgSession::core::driveScenario(*_data,
-                                                    {_path.placeAt(startM), _path.headingRadAt(startM)},
-                                                    _origin, _request.conditions),
-                    osgSession::core::kRideEntity, std::move(motion), "drive", manual};
+        simulation::Scenario scenario = osgSession::core::driveScenario(
+            *_data, {_path.placeAt(startM), _path.headingRadAt(startM)}, _origin, _request.conditions);
+        simulation::addTraffic(scenario, osgSession::core::kRideEntity, {_request.play.trafficPerKm});
+        return Ride{std::move(scenario), osgSession::core::kRideEntity, std::move(motion), "drive", manual};
     }
 
 private:
@@ -163,6 +165,7 @@ foundation::Outcome drive(const DriveRequest& asked)
     if (!request.play.output.motionFile.empty())
         request.play.roadsUnder =
             std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*scene->roads));
+    openTrafficRoads(request, *scene);
     DriveMaker maker(request, *data, *scene, *path);
     const auto motion = playRides(request, std::move(*scene), maker);
     if (!motion) return motion.error();

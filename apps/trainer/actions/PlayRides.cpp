@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlayRides.h"
 
+#include <cstdio>
+
 #include <foundation/WholeFile.h>
 
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
 #include "scene/SceneTerrain.h"
+#include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/ControlSwitch.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/player/ScenarioPlayer.h"
+#include "simulation/road/RoadScene.h"
 #include "window/WindowSession.h"
 
 namespace trainer
@@ -30,6 +34,8 @@ foundation::Outcome rideHeadless(const RideRequest& request, const SceneTerrain&
     options.clock = simulation::FixedClock(kSeatStepsPerSecond);
     options.motions[ride.entity] = ride.motion;
     options.roadsUnder = request.play.roadsUnder;
+    options.roads = request.play.trafficRoads;
+    options.seed = request.play.seed;
     auto player = simulation::ScenarioPlayer::create(std::move(ride.scenario), std::move(options));
     if (!player) return player.error();
     return playOut(**player, headless);
@@ -44,6 +50,19 @@ foundation::Outcome rideInPictures(const RideRequest& request, SceneTerrain terr
 }
 
 } // namespace
+
+void openTrafficRoads(RideRequest& request, const SceneTerrain& terrain)
+{
+    if (!(request.play.trafficPerKm > 0.0)) return;
+    if (terrain.roads)
+    {
+        request.play.trafficRoads =
+            std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*terrain.roads));
+        return;
+    }
+    std::printf("note: there are no roads in this world, so there is no traffic\n");
+    request.play.trafficPerKm = 0.0;
+}
 
 foundation::Result<std::shared_ptr<simulation::VehicleMotion>>
 playRides(const RideRequest& request, SceneTerrain terrain, RideMaker& maker)

@@ -30,6 +30,7 @@ foundation::Outcome driveOne(const DriveLine& line)
 {
     DriveRequest request = line.drive;
     request.play = line.play.request;
+    request.play.seed = line.drive.play.seed;
     if (const auto complete = line.ride.complete(request); !complete) return complete;
     if (const auto sound = checkDrive(request); !sound) return sound;
     if (request.play.terrain.file.empty())
@@ -64,6 +65,7 @@ std::vector<Command> addDrive(CLI::App& program)
     command->add_option("--csv_logger", line->play.request.output.motionFile, "file for a row of each step");
     command->add_option("--inputs", line->drive.inputs, "inputs file to drive by, in place of the driver");
     command->add_option("--record-inputs", line->drive.recordInputs, "inputs file to write");
+    command->add_option("--seed", line->drive.play.seed, "of the traffic");
     line->ride.addTo(*command);
     line->play.addTo(*command);
     return {{command, line->play.running([line] { return driveOne(*line); })}};

@@ -28,6 +28,7 @@ foundation::Outcome flyOne(const FlyLine& line)
 {
     FlyRequest request = line.fly;
     request.play = line.play.request;
+    request.play.seed = line.fly.seed;
     request.takeReportedWind();
     if (const auto complete = line.ride.complete(request); !complete) return complete;
     const std::vector<double>& strip = line.strip;
@@ -91,7 +92,7 @@ std::vector<Command> addFly(CLI::App& program)
         ->expected(2);
     command->add_option("--gusts", line->fly.gustsMps, "standard deviation of turbulence, m/s")
         ->check(terminal::between(0.0, 20.0));
-    command->add_option("--seed", line->fly.seed, "of the turbulence");
+    command->add_option("--seed", line->fly.seed, "of the turbulence and of the traffic");
     line->ride.addTo(*command);
     line->play.addTo(*command);
     return {{command, line->play.running([line] { return flyOne(*line); })}};

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "ride/RideRequest.h"
+#include "simulation/scenario/SessionTraffic.h"
 #include "terminal/CommandLine.h"
 
 namespace trainer
@@ -25,11 +26,20 @@ void RideOptions::addTo(CLI::App& command)
     command.add_option("--time", _time, "HH:MM, mean solar time of a day in summer; without it one by day");
     command.add_option("--weather", _weather, "clear, fog, rain on wet roads, or snow that covers them")
         ->transform(terminal::named(kWeathers));
+    command.add_option(
+        "--traffic", _traffic,
+        "vehicles a kilometre of street: none, light (4), medium (10), dense (25), or a number "
+        "from 0 to 60");
 }
 
 foundation::Outcome RideOptions::complete(RideRequest& request) const
 {
     request.conditions.weather = _weather;
+    const auto perKm = simulation::trafficDensity(_traffic);
+    if (!perKm)
+        return foundation::Error{"--traffic", "'" + _traffic + "' is no density of traffic",
+                                 "write none, light, medium, dense, or vehicles a kilometre from 0 to 60"};
+    request.play.trafficPerKm = *perKm;
     if (_time.empty()) return foundation::success();
     int hour = 0, minute = 0;
     char rest = 0;

@@ -12,6 +12,7 @@
 #include "simulation/control/flight/Autopilot.h"
 #include "simulation/control/flight/ManualPilot.h"
 #include "simulation/control/scenario/VehicleFiles.h"
+#include "simulation/scenario/SessionTraffic.h"
 #include "simulation/vehicle/WeatherAir.h"
 
 namespace trainer
@@ -131,10 +132,13 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     auto motion = std::make_shared<simulation::VehicleMotion>(
         std::move(vehicle), _ground,
         std::make_shared<const simulation::WeatherAir>(airOf(_request, _origin ? _origin->heightM : 0.0)));
+    if (_request.play.trafficRoads) motion->meetOthers();
     const osgSession::core::RideBegin begin{start, foundation::radiansOf(90.0 - from.headingDeg),
                                             from.speedMps};
-    return Ride{osgSession::core::flightScenario(begin, _origin, _request.conditions),
-                osgSession::core::kRideEntity, std::move(motion), "flight", manual};
+    constexpr double kTrafficM = 1500.0; ///< around an aircraft
+    simulation::Scenario scenario = osgSession::core::flightScenario(begin, _origin, _request.conditions);
+    simulation::addTraffic(scenario, osgSession::core::kRideEntity, {_request.play.trafficPerKm, kTrafficM});
+    return Ride{std::move(scenario), osgSession::core::kRideEntity, std::move(motion), "flight", manual};
 }
 
 } // namespace trainer
