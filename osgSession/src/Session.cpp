@@ -216,10 +216,11 @@ foundation::Result<std::unique_ptr<Session>> Session::open(const SessionSettings
     if (!staged) return staged.error();
     if (settings.trafficPerKm > 0.0 && staged->terrain.roads)
     {
-        // Whoever flies sees farther.
+        using simulation::SessionTraffic;
         const bool flies = staged->scenario.entities.front().isAirborne();
         simulation::addTraffic(staged->scenario, core::kRideEntity,
-                               {settings.trafficPerKm, flies ? 1500.0 : 400.0});
+                               {settings.trafficPerKm,
+                                flies ? SessionTraffic::kAroundAircraftM : SessionTraffic::kAroundVehicleM});
         request.trafficRoads =
             std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*staged->terrain.roads));
     }

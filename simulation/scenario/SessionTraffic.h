@@ -13,8 +13,11 @@ namespace simulation
 /// The traffic around a person who drives or flies freely.
 struct SessionTraffic
 {
-    double perKm = 0.0;     ///< vehicles a kilometre of street, both directions together
-    double radiusM = 400.0; ///< around the person, within which there are vehicles
+    /// Whoever flies sees farther. Source: chosen.
+    static constexpr double kAroundVehicleM = 400.0, kAroundAircraftM = 1500.0;
+
+    double perKm = 0.0;               ///< vehicles a kilometre of street, both directions together
+    double radiusM = kAroundVehicleM; ///< around the person, within which there are vehicles
 
     /// After the begin vehicles appear beyond this share of the radius alone, and leave beyond the whole.
     static constexpr double kAppearShare = 0.85;

@@ -135,9 +135,9 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     if (_request.play.trafficRoads) motion->meetOthers();
     const osgSession::core::RideBegin begin{start, foundation::radiansOf(90.0 - from.headingDeg),
                                             from.speedMps};
-    constexpr double kTrafficM = 1500.0; ///< around an aircraft
     simulation::Scenario scenario = osgSession::core::flightScenario(begin, _origin, _request.conditions);
-    simulation::addTraffic(scenario, osgSession::core::kRideEntity, {_request.play.trafficPerKm, kTrafficM});
+    simulation::addTraffic(scenario, osgSession::core::kRideEntity,
+                           {_request.play.trafficPerKm, simulation::SessionTraffic::kAroundAircraftM});
     return Ride{std::move(scenario), osgSession::core::kRideEntity, std::move(motion), "flight", manual};
 }
 
