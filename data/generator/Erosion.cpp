@@ -2,6 +2,8 @@
 #include "Erosion.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace islandgen
 {
@@ -15,6 +17,40 @@ float stepCells(int cell, int receiver, int side)
 {
     const int apart = receiver > cell ? receiver - cell : cell - receiver;
     return apart == 1 || apart == side ? 1.0f : kDiagonal;
+}
+
+/// A cell with its way down, and what stays the same while a step is solved.
+struct Reach
+{
+    std::int32_t cell, receiver;
+    float factor; ///< K·dt·√A / distance
+    float riseM;  ///< to the next cell, where slopes stand no steeper
+};
+
+/// All cells but base cells, in the order of the network.
+std::vector<Reach> reachesOf(const DrainageNetwork& network, const ErosionRates& rates)
+{
+    std::vector<Reach> reaches;
+    reaches.reserve(network.downstreamFirst.size());
+    for (const std::int32_t cell : network.downstreamFirst)
+    {
+        const std::int32_t receiver = network.receiver[cell];
+        if (receiver == cell) continue;
+        // √A / distance: the cell's metres cancel.
+        const float factor = rates.riverErosion[cell] * std::sqrt(network.areaCells[cell]) /
+                             stepCells(cell, receiver, network.receiver.side);
+        reaches.push_back({cell, receiver, factor, rates.criticalSlope[cell] * rates.cellM});
+    }
+    return reaches;
+}
+
+/// Asks memory for the cell that comes so many reaches later: rivers leap about the raster, and it is larger
+/// than any cache.
+constexpr std::size_t kReachesAhead = 16;
+
+void fetch(const Grid<float>& grid, std::int32_t cell)
+{
+    __builtin_prefetch(&grid.cells[static_cast<std::size_t>(cell)]);
 }
 
 /// The height above which a cell slides: the slope of a plane through its lower neighbours in both axes, and
@@ -33,40 +69,50 @@ float standingHeight(const Grid<float>& heightM, int cell, float riseM)
 }
 
 /// One solution of the implicit equation with the settling sediment given (metres per cell).
-void solveHeights(Grid<float>& heightM, const Grid<float>& suppliedM, const DrainageNetwork& network,
-                  const ErosionRates& rates)
+void solveHeights(Grid<float>& heightM, const Grid<float>& suppliedM, const std::vector<Reach>& reaches)
 {
-    for (const std::int32_t cell : network.downstreamFirst)
+    const int side = heightM.side, count = heightM.count();
+    for (std::size_t i = 0; i < reaches.size(); ++i)
     {
-        const std::int32_t receiver = network.receiver[cell];
-        if (receiver == cell) continue;
-        const float distanceCells = stepCells(cell, receiver, heightM.side);
-        // √A / distance: the cell's metres cancel.
-        const float factor = rates.riverErosion[cell] * std::sqrt(network.areaCells[cell]) / distanceCells;
-        const float eroded = (suppliedM[cell] + factor * heightM[receiver]) / (1.0f + factor);
-        heightM[cell] =
-            std::min(eroded, standingHeight(heightM, cell, rates.criticalSlope[cell] * rates.cellM));
+        if (i + kReachesAhead < reaches.size())
+        {
+            const std::int32_t later = reaches[i + kReachesAhead].cell;
+            fetch(suppliedM, later);
+            fetch(heightM, later);
+            fetch(heightM, std::max(later - side, 0));
+            fetch(heightM, std::min(later + side, count - 1));
+        }
+        const Reach& reach = reaches[i];
+        const float eroded =
+            (suppliedM[reach.cell] + reach.factor * heightM[reach.receiver]) / (1.0f + reach.factor);
+        heightM[reach.cell] = std::min(eroded, standingHeight(heightM, reach.cell, reach.riseM));
     }
 }
 
 /// What each cell would be without rivers after this step: its height, the uplift, and the share of the
 /// sediment that passes it and settles there, if the land ended as `after`.
 Grid<float> suppliedHeights(const Grid<float>& before, const Grid<float>& after,
-                            const DrainageNetwork& network, const ErosionRates& rates)
+                            const std::vector<Reach>& reaches, const Grid<float>& areaCells,
+                            const ErosionRates& rates)
 {
     Grid<float> fromUpstreamM(before.side);
-    for (std::size_t i = network.downstreamFirst.size(); i-- > 0;)
+    for (std::size_t i = reaches.size(); i-- > 0;)
     {
-        const std::int32_t cell = network.downstreamFirst[i];
-        const std::int32_t receiver = network.receiver[cell];
-        if (receiver == cell) continue;
-        const float carried = fromUpstreamM[cell] + before[cell] + rates.upliftM[cell] - after[cell];
-        fromUpstreamM[receiver] += std::max(carried, 0.0f);
+        if (i >= kReachesAhead)
+        {
+            const std::int32_t later = reaches[i - kReachesAhead].cell;
+            for (const Grid<float>* grid : {&std::as_const(fromUpstreamM), &before, &rates.upliftM, &after})
+                fetch(*grid, later);
+        }
+        const Reach& reach = reaches[i];
+        const float carried =
+            fromUpstreamM[reach.cell] + before[reach.cell] + rates.upliftM[reach.cell] - after[reach.cell];
+        fromUpstreamM[reach.receiver] += std::max(carried, 0.0f);
     }
     for (int cell = 0; cell < before.count(); ++cell)
     {
-        fromUpstreamM[cell] = before[cell] + rates.upliftM[cell] +
-                              rates.deposition * fromUpstreamM[cell] / network.areaCells[cell];
+        fromUpstreamM[cell] =
+            before[cell] + rates.upliftM[cell] + rates.deposition * fromUpstreamM[cell] / areaCells[cell];
     }
     return fromUpstreamM;
 }
@@ -80,11 +126,10 @@ void erodeRivers(Grid<float>& heightM, const DrainageNetwork& network, const Ero
         heightM[cell] = before[cell] + rates.upliftM[cell];
     const Grid<float> lifted = heightM;
     heightM = before;
-    solveHeights(heightM, lifted, network, rates);
+    const std::vector<Reach> reaches = reachesOf(network, rates);
+    solveHeights(heightM, lifted, reaches);
     for (int pass = 0; pass < kSedimentPasses; ++pass)
-    {
-        solveHeights(heightM, suppliedHeights(before, heightM, network, rates), network, rates);
-    }
+        solveHeights(heightM, suppliedHeights(before, heightM, reaches, network.areaCells, rates), reaches);
 }
 
 namespace
