@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <foundation/Units.h>
+
 namespace scenery
 {
 
@@ -19,9 +21,10 @@ SurfaceLook::SurfaceLook(osg::StateSet& scene)
 void SurfaceLook::show(const simulation::SurfaceWeather& ground, double groundM,
                        const std::optional<double>& temperatureK)
 {
-    constexpr double kFreezesK = 273.15, kLiesBelowC = 1.5, kLapseCPerM = 0.0065, kFadesM = 600.0;
+    constexpr double kLiesBelowC = 1.5, kLapseCPerM = 0.0065, kFadesM = 600.0;
     if (ground.waterMm > 0.0 || ground.snowCm > 0.0) _scene->setDefine("SURFACE_WEATHER");
-    const double airC = temperatureK.value_or(kFreezesK) - kFreezesK;
+    using foundation::kZeroCelsiusK;
+    const double airC = temperatureK.value_or(kZeroCelsiusK) - kZeroCelsiusK;
     const double lineM = groundM + std::min((airC - kLiesBelowC) / kLapseCPerM, 0.0);
     const auto wetness = static_cast<float>(simulation::wetnessOf(ground.waterMm));
     _wetness->set(wetness);

@@ -115,6 +115,15 @@ std::string textOf(const SurfaceWeather& ground)
     return text;
 }
 
+double filmOfRoads(std::string_view wetness)
+{
+    static constexpr std::array<std::pair<std::string_view, double>, 4> kFilms{
+        {{"moist", kMoistMm}, {"wetWithPuddles", kPuddlesMm}, {"lowFlooded", 20.0}, {"highFlooded", 100.0}}};
+    const auto film =
+        std::find_if(kFilms.begin(), kFilms.end(), [&](const auto& known) { return known.first == wetness; });
+    return film == kFilms.end() ? 0.0 : film->second;
+}
+
 double wetnessOf(double waterMm)
 {
     constexpr double kMoist = 0.5, kWet = 0.8;

@@ -34,6 +34,10 @@ foundation::Result<SurfaceWeather> readSurfaceWeather(std::string_view text, std
 /// Returns the text that readSurfaceWeather() reads it from, to the last digit.
 std::string textOf(const SurfaceWeather& ground);
 
+/// Returns the film that a wetness of roads in ASAM OpenSCENARIO 1.3 means, "moist" to "highFlooded"; 0 for
+/// any other word. The standard gives no depths; 20 and 100 mm for floods are chosen. Units: mm.
+double filmOfRoads(std::string_view wetness);
+
 /// Returns how wet a film makes sealed ground look, 0 … 1: 0.5 at 0.1 mm, 0.8 at 0.5 mm, where the hollows
 /// of the texture are full, 1 from 2 mm on, with puddles. Linear between these.
 double wetnessOf(double waterMm);

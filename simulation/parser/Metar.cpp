@@ -18,7 +18,7 @@ namespace simulation
 namespace
 {
 
-constexpr double kZeroCelsiusK = 273.15, kPascalPerInch = 3386.389, kMetresPerMile = 1609.344;
+constexpr double kPascalPerInch = 3386.389, kMetresPerMile = 1609.344;
 
 bool areDigits(std::string_view text)
 {
@@ -157,7 +157,7 @@ bool readTemperature(std::string_view cell, Weather& weather)
     const bool isBelow = air.starts_with('M');
     if (isBelow) air.remove_prefix(1);
     if (air.size() != 2 || !areDigits(air)) return false;
-    weather.temperatureK = kZeroCelsiusK + (isBelow ? -1.0 : 1.0) * numberOf(air);
+    weather.temperatureK = foundation::kZeroCelsiusK + (isBelow ? -1.0 : 1.0) * numberOf(air);
     return true;
 }
 

@@ -3,27 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <string_view>
 
 #include <foundation/Angle.h>
+#include <foundation/Units.h>
 
 namespace simulation
 {
 namespace
 {
 
-constexpr DateTime kDefaultDateTime{1'718'964'000'000}; // 2024-06-21T10:00:00Z
-constexpr double kFreezingK = 273.15;
+using foundation::kZeroCelsiusK;
 
-/// The film that a wetness of roads means. Units: mm.
-double filmOf(const std::string& wetness)
-{
-    static const std::map<std::string, double, std::less<>> kFilms{
-        {"moist", 0.1}, {"wetWithPuddles", 2.0}, {"lowFlooded", 20.0}, {"highFlooded", 100.0}};
-    const auto found = kFilms.find(wetness);
-    return found == kFilms.end() ? 0.0 : found->second;
-}
+constexpr DateTime kDefaultDateTime{1'718'964'000'000}; // 2024-06-21T10:00:00Z
 
 } // namespace
 
@@ -55,7 +46,7 @@ Fall EnvironmentClock::fallNow() const
         if (precipitation->type == "snow") fall.snowMmPerHour = mmPerHour;
     }
     fall.isMelting = _state.temperatureK.has_value();
-    fall.temperatureC = _state.temperatureK.value_or(kFreezingK) - kFreezingK;
+    fall.temperatureC = _state.temperatureK.value_or(kZeroCelsiusK) - kZeroCelsiusK;
     return fall;
 }
 
@@ -110,8 +101,8 @@ EnvironmentState EnvironmentClock::at(double timeS) const
     state.sun =
         _givenSun ? *_givenSun : sunDirection(state.dateTime, _place.latitudeDeg, _place.longitudeDeg);
     state.surface = groundAt(timeS);
-    state.surface.waterMm = std::max(state.surface.waterMm, filmOf(state.roadWetness));
-    if (state.temperatureK.value_or(kFreezingK) < kFreezingK && state.surface.waterMm >= kLeastFilmMm)
+    state.surface.waterMm = std::max(state.surface.waterMm, filmOfRoads(state.roadWetness));
+    if (state.temperatureK.value_or(kZeroCelsiusK) < kZeroCelsiusK && state.surface.waterMm >= kLeastFilmMm)
         state.surface.isIcy = true;
     return state;
 }
