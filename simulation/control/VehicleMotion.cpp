@@ -105,11 +105,13 @@ void VehicleMotion::takeWeather(const EnvironmentState& environment)
     if (ground != _weather->ground) _ground = std::make_shared<const WeatheredGround>(_land, ground);
     _weather->ground = ground;
     if (environment.wind == _weather->wind && environment.temperatureK == _weather->temperatureK &&
-        environment.pressurePa == _weather->pressurePa)
+        environment.pressurePa == _weather->pressurePa &&
+        environment.seaPressurePa == _weather->seaPressurePa)
         return;
     _weather->wind = environment.wind;
     _weather->temperatureK = environment.temperatureK;
     _weather->pressurePa = environment.pressurePa;
+    _weather->seaPressurePa = environment.seaPressurePa;
     WeatherSettings settings = weatherOf(environment, _weather->originHeightM);
     settings.gustDeviationMps = _weather->turbulenceMps;
     _air = std::make_shared<const WeatherAir>(settings);

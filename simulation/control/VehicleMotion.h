@@ -58,7 +58,7 @@ private:
     {
         double originHeightM = 0.0, turbulenceMps = 0.0;
         std::optional<Wind> wind{};
-        std::optional<double> temperatureK{}, pressurePa{};
+        std::optional<double> temperatureK{}, pressurePa{}, seaPressurePa{};
         GroundWeather ground{};
     };
 

@@ -166,9 +166,9 @@ bool readPressure(std::string_view cell, Weather& weather)
 {
     if (cell.size() != 5 || !areDigits(cell.substr(1))) return false;
     if (cell[0] == 'Q')
-        weather.pressurePa = 100.0 * numberOf(cell.substr(1));
+        weather.seaPressurePa = 100.0 * numberOf(cell.substr(1));
     else if (cell[0] == 'A')
-        weather.pressurePa = 0.01 * kPascalPerInch * numberOf(cell.substr(1));
+        weather.seaPressurePa = 0.01 * kPascalPerInch * numberOf(cell.substr(1));
     else
         return false;
     return true;

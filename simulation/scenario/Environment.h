@@ -51,7 +51,8 @@ struct Weather
 {
     std::string cloudState; ///< `cloudState` (1.0, 1.1) or `fractionalCloudCover` (1.2); empty: unchanged
     std::optional<double> temperatureK;
-    std::optional<double> pressurePa;
+    std::optional<double> pressurePa;    ///< at the origin of the scene
+    std::optional<double> seaPressurePa; ///< in its place: of a weather report, reduced to the sea (QNH)
     std::optional<Sun> sun;
     std::optional<double> fogVisualRangeM;
     std::optional<Precipitation> precipitation;

@@ -91,7 +91,9 @@ void EnvironmentClock::takeOver(const Environment& environment, double timeS)
     if (weather.precipitation) _state.precipitation = weather.precipitation;
     if (weather.wind) _state.wind = weather.wind;
     if (weather.temperatureK) _state.temperatureK = weather.temperatureK;
-    if (weather.pressurePa) _state.pressurePa = weather.pressurePa;
+    if (!weather.pressurePa && !weather.seaPressurePa) return;
+    _state.pressurePa = weather.pressurePa;
+    _state.seaPressurePa = weather.seaPressurePa;
 }
 
 EnvironmentState EnvironmentClock::at(double timeS) const

@@ -22,6 +22,7 @@ struct EnvironmentState
     std::optional<Precipitation> precipitation;
     std::optional<Wind> wind;
     std::optional<double> temperatureK, pressurePa; ///< of the air at the origin
+    std::optional<double> seaPressurePa;            ///< in place of pressurePa: reduced to the sea (QNH)
     double roadFriction = 1.0;                      ///< of dry asphalt
     std::string roadWetness = "dry";                ///< in the standard's words
     /// what lies on the ground, by all that was told and fell

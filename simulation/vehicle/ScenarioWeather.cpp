@@ -2,6 +2,7 @@
 #include "simulation/vehicle/ScenarioWeather.h"
 
 #include <cmath>
+#include <optional>
 
 namespace simulation
 {
@@ -12,11 +13,14 @@ WeatherSettings weatherOf(const EnvironmentState& environment, double originHeig
     const AirState standard = standardAtmosphere(originHeightM, {});
     if (environment.temperatureK)
         weather.offsets.temperatureK = *environment.temperatureK - standard.temperatureK;
-    if (environment.pressurePa)
+    const std::optional<double> herePa = environment.seaPressurePa
+                                             ? pressureByReport(originHeightM, *environment.seaPressurePa)
+                                             : environment.pressurePa;
+    if (herePa)
     {
         // The ratio of pressures between two heights does not depend on the one at the sea.
-        const double here = standardAtmosphere(originHeightM, weather.offsets).pressurePa;
-        weather.offsets.seaPressurePa *= *environment.pressurePa / here;
+        const double standardPa = standardAtmosphere(originHeightM, weather.offsets).pressurePa;
+        weather.offsets.seaPressurePa *= *herePa / standardPa;
     }
     if (environment.wind)
     {

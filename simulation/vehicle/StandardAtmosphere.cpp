@@ -15,6 +15,20 @@ constexpr double kLapseRate = 0.0065; ///< K/m in the troposphere
 constexpr double kTropopauseM = 11000.0;
 constexpr double kHeatRatio = 1.4;
 
+/// The exponent of the pressure in the height of the standard troposphere.
+constexpr double kHeightPower = kGasConstant * kLapseRate / foundation::kStandardGravityMps2;
+
+double geopotentialOf(double heightM)
+{
+    return kGeopotentialRadiusM * heightM / (kGeopotentialRadiusM + heightM);
+}
+
+/// The height of a pressure in the standard troposphere, geopotential.
+double standardHeightOf(double pressurePa)
+{
+    return kSeaTemperatureK / kLapseRate * (1.0 - std::pow(pressurePa / kSeaPressurePa, kHeightPower));
+}
+
 /// Pressure of compressed air at a stagnation point, above the static pressure. Units: Pa.
 double impactPressure(double speedMps, double pressurePa, double temperatureK)
 {
@@ -34,7 +48,7 @@ double speedOf(double impactPa, double pressurePa, double temperatureK)
 AirState standardAtmosphere(double heightM, const AtmosphereOffsets& offsets)
 {
     const double clamped = std::clamp(heightM, -2000.0, 20000.0);
-    const double geopotentialM = kGeopotentialRadiusM * clamped / (kGeopotentialRadiusM + clamped);
+    const double geopotentialM = geopotentialOf(clamped);
     const double lowerM = std::min(geopotentialM, kTropopauseM);
     const double seaK = kSeaTemperatureK + offsets.temperatureK;
     AirState air;
@@ -62,10 +76,13 @@ double trueAirspeed(double calibratedMps, const AirState& air)
 
 double altimeterHeight(double pressurePa, double settingPa)
 {
-    constexpr double kPower = kGasConstant * kLapseRate / foundation::kStandardGravityMps2;
-    const auto heightOf = [](double pa)
-    { return kSeaTemperatureK / kLapseRate * (1.0 - std::pow(pa / kSeaPressurePa, kPower)); };
-    return heightOf(pressurePa) - heightOf(settingPa);
+    return standardHeightOf(pressurePa) - standardHeightOf(settingPa);
+}
+
+double pressureByReport(double heightM, double reportedPa)
+{
+    const double standardM = std::min(standardHeightOf(reportedPa) + geopotentialOf(heightM), kTropopauseM);
+    return kSeaPressurePa * std::pow(1.0 - kLapseRate * standardM / kSeaTemperatureK, 1.0 / kHeightPower);
 }
 
 } // namespace simulation

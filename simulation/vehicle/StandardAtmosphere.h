@@ -43,4 +43,10 @@ double trueAirspeed(double calibratedMps, const AirState& air);
 /// standard troposphere. Units: Pa, metres. Source: ICAO Doc 7488 (as standardAtmosphere()).
 double altimeterHeight(double pressurePa, double settingPa);
 
+/// The pressure at a geometric height above the sea, by what was reported for the sea (QNH): an altimeter
+/// that is set to the report shows the geopotential height there. It does not depend on the day's
+/// temperature. Up to 11 km. Units: metres, Pa. Source: ICAO Annex 3, *Meteorological Service for
+/// International Air Navigation* (QNH), with the troposphere of Doc 7488.
+double pressureByReport(double heightM, double reportedPa);
+
 } // namespace simulation

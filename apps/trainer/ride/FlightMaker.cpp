@@ -13,7 +13,7 @@
 #include "simulation/control/flight/ManualPilot.h"
 #include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/scenario/SessionTraffic.h"
-#include "simulation/vehicle/WeatherAir.h"
+#include "simulation/vehicle/ScenarioWeather.h"
 
 namespace trainer
 {
@@ -21,18 +21,16 @@ namespace trainer
 namespace
 {
 
-/// The air of a request. Of a weather report temperature and pressure count: the one at the height of the
-/// scene's origin, the other at the sea, as aerodromes report them.
+/// The air of a request. Of a weather report temperature and pressure count.
 simulation::WeatherAir airOf(const FlyRequest& request, double originHeightM)
 {
-    simulation::WeatherSettings weather;
-    if (const auto& told = request.play.weather)
+    simulation::EnvironmentState told;
+    if (const auto& report = request.play.weather)
     {
-        if (told->temperatureK)
-            weather.offsets.temperatureK =
-                *told->temperatureK - simulation::standardAtmosphere(originHeightM, {}).temperatureK;
-        weather.offsets.seaPressurePa = told->pressurePa.value_or(weather.offsets.seaPressurePa);
+        told.temperatureK = report->temperatureK;
+        told.seaPressurePa = report->seaPressurePa;
     }
+    simulation::WeatherSettings weather = simulation::weatherOf(told, originHeightM);
     weather.gustDeviationMps = request.gustsMps;
     weather.windMps = glm::dvec3(request.windMps(), 0.0);
     if (!request.wind.empty() && request.gustsMps > 0.0)

@@ -21,7 +21,7 @@ TEST(Metar, TellsLayersWindAndAir)
     const Weather& weather = report->weather;
     EXPECT_EQ(weather.fogVisualRangeM, 4000.0);
     EXPECT_NEAR(*weather.temperatureK, 271.15, 1e-9);
-    EXPECT_EQ(weather.pressurePa, 101800.0);
+    EXPECT_EQ(weather.seaPressurePa, 101800.0);
     ASSERT_TRUE(weather.precipitation);
     EXPECT_EQ(weather.precipitation->type, "rain");
     EXPECT_LT(*weather.precipitation->intensity, 2.0);
@@ -35,7 +35,7 @@ TEST(Metar, ReadsTheFormsOfTheAmericas)
     const auto report = readMetar("KSFO 010056Z 00000KT 1/2SM VV002 12/11 A2992 RMK AO2", "here");
     ASSERT_TRUE(report);
     EXPECT_NEAR(*report->weather.fogVisualRangeM, 804.7, 0.1);
-    EXPECT_NEAR(*report->weather.pressurePa, 101321.0, 5.0);
+    EXPECT_NEAR(*report->weather.seaPressurePa, 101321.0, 5.0);
     ASSERT_EQ(report->clouds.size(), 1U);
     EXPECT_EQ(report->clouds[0].oktas, 8);
 }

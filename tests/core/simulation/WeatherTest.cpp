@@ -54,6 +54,39 @@ TEST(Weather, TemperatureAndPressureAreThoseAtTheOrigin)
         kSeaDensity, 1e-3);
 }
 
+TEST(Weather, ReportedPressureIsReducedToTheSeaByTheStandardAtmosphere)
+{
+    // An altimeter that is set to the report shows the geopotential height of the origin, 999.843 m, whatever
+    // the day's temperature: p = 101325 (1 - 0.0065 (H + Hq) / 288.15)^5.25588, Hq = -39.47 m of 1018 hPa.
+    constexpr double kHereM = 999.8427, kSettingPa = 101800.0;
+    const double settingM = 288.15 / 0.0065 * (1.0 - std::pow(kSettingPa / 101325.0, 1.0 / 5.25588));
+    const double herePa = 101325.0 * std::pow(1.0 - 0.0065 * (kHereM + settingM) / 288.15, 5.25588);
+    EXPECT_NEAR(herePa, 90307.3, 1.0);
+    EnvironmentClock clock(Geodetic{47.0, 11.0, 1000.0});
+    Environment environment;
+    environment.weather.emplace();
+    environment.weather->pressurePa = 98000.0;
+    clock.apply(environment, 0.0);
+    environment.weather->pressurePa.reset();
+    environment.weather->seaPressurePa = kSettingPa;
+    clock.apply(environment, 0.0);
+    EXPECT_FALSE(clock.at(0.0).pressurePa) << "the last one counts";
+    const auto here = [&]
+    { return WeatherAir(weatherOf(clock.at(0.0), 1000.0)).at(glm::dvec3(0.0), 1000.0, 0.0); };
+    for (const double temperatureK : {255.0, 281.65, 305.0})
+    {
+        environment.weather->temperatureK = temperatureK;
+        clock.apply(environment, 0.0);
+        EXPECT_NEAR(here().temperatureK, temperatureK, 1e-9);
+        EXPECT_NEAR(here().pressurePa, herePa, 0.5);
+        EXPECT_NEAR(altimeterHeight(here().pressurePa, kSettingPa), kHereM, 1e-3);
+    }
+    environment.weather->seaPressurePa.reset();
+    environment.weather->pressurePa = 98000.0;
+    clock.apply(environment, 0.0);
+    EXPECT_NEAR(here().pressurePa, 98000.0, 1e-6) << "told for the origin itself";
+}
+
 TEST(Weather, WhatAnActionLeavesOutStays)
 {
     const auto state = environmentOf("<RoadCondition frictionScaleFactor=\"0.4\"/>");
