@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace scenery
 {
@@ -36,8 +35,8 @@ std::vector<double> lowered(std::vector<double> heights, const std::vector<Heigh
         bool isChanged = false;
         for (const HeightStep& step : steps)
             isChanged = lowerBoth(heights, step) || isChanged;
-        for (const HeightStep& step : std::views::reverse(steps))
-            isChanged = lowerBoth(heights, step) || isChanged;
+        for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+            isChanged = lowerBoth(heights, *step) || isChanged;
         if (!isChanged) break;
     }
     return heights;

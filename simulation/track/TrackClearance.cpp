@@ -124,10 +124,10 @@ foundation::HeightOnEarth groundHeightOf(const SceneFrame& frame)
 {
     return [&frame](double latitudeDeg, double longitudeDeg) -> std::optional<double>
     {
-        constexpr int kSteps =
+        constexpr int kLeanSteps =
             3; // the vertical there leans against the scene's, so place and height depend on each other
         std::optional<double> heightM = 0.0;
-        for (int i = 0; i < kSteps; ++i)
+        for (int i = 0; i < kLeanSteps; ++i)
         {
             const glm::dvec3 at = frame.frame()->localFromGeodetic({latitudeDeg, longitudeDeg, *heightM});
             const auto ground = frame.groundAt(at.x, at.y);

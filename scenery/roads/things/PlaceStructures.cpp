@@ -84,14 +84,14 @@ void addPiers(const PlacedNetwork& placed, int road, const RoadStructure& bridge
 }
 
 /// A stretch of a road, in metres along it.
-struct Stretch
+struct ClearStretch
 {
     double from = 0.0, to = 0.0;
 };
 
 /// Returns where the edge of a bridge stands on no lanes of another road at its height: where ways come
 /// together on a bridge, the edge of one would stand across the other.
-std::vector<Stretch> clearOfOthers(const PlacedNetwork& placed, int road, const RoadLine& edge)
+std::vector<ClearStretch> clearOfOthers(const PlacedNetwork& placed, int road, const RoadLine& edge)
 {
     const auto isClear = [&](double s)
     {
@@ -105,7 +105,7 @@ std::vector<Stretch> clearOfOthers(const PlacedNetwork& placed, int road, const 
                                               isLevel);
     };
     const int steps = std::max(1, static_cast<int>(std::ceil((edge.sEnd - edge.s) / kLookM)));
-    std::vector<Stretch> clear;
+    std::vector<ClearStretch> clear;
     bool wasClear = false;
     for (int i = 0; i <= steps; ++i)
     {
@@ -116,7 +116,7 @@ std::vector<Stretch> clearOfOthers(const PlacedNetwork& placed, int road, const 
         if (isNow && !wasClear) clear.push_back({s, s});
         wasClear = isNow;
     }
-    std::erase_if(clear, [](const Stretch& stretch) { return stretch.to - stretch.from < kLeastEdgeM; });
+    std::erase_if(clear, [](const ClearStretch& stretch) { return stretch.to - stretch.from < kLeastEdgeM; });
     return clear;
 }
 
@@ -136,7 +136,7 @@ void addEdge(const PlacedNetwork& placed, int road, const RoadStructure& bridge,
     post.kind = models::RoadModel::Kind::pole;
     post.widthM = 0.06;
     post.heightM = kRailM - 0.02;
-    for (const Stretch& stretch : clearOfOthers(placed, road, edge))
+    for (const ClearStretch& stretch : clearOfOthers(placed, road, edge))
     {
         edge.s = stretch.from;
         edge.sEnd = stretch.to;

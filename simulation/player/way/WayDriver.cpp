@@ -148,7 +148,7 @@ bool WayDriver::hasRoomBehind(std::size_t first, std::size_t end, const std::opt
 bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end,
                                 const std::optional<LeadOnWay>& lead) const
 {
-    constexpr double kNearM = 80.0, kCrossingM = 3.0, kBesideM = 2.0, kStepS = 0.5, kMostS = 6.0;
+    constexpr double kNearM = 80.0, kCrossingM = 3.0, kBesideM = 2.0, kLookS = 0.5, kMostS = 6.0;
     const JunctionApproach& own = _keeper->of(_actor);
     const double fromM = own.claims[first].fromM, toM = endOf(end - 1);
     const double passesS = std::min(kMostS, secondsFor(toM - _frontM + own.lengthM, own.speedMps) + 1.0);
@@ -165,7 +165,7 @@ bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size
         if (followsIt || leadsIt) continue;
         const BoundingBox& box = wayBoxOf(scene, i);
         const glm::dvec2 middle = glm::dvec2(other.position + other.bodyToLocal() * box.centre);
-        for (double laterS = 0.0; laterS <= passesS; laterS += kStepS)
+        for (double laterS = 0.0; laterS <= passesS; laterS += kLookS)
             for (const DrivenWay::Point& point : _way.points())
             {
                 if (point.alongM < fromM || point.alongM > toM) continue;

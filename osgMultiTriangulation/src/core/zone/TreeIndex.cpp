@@ -33,7 +33,7 @@ TreeIndex::TreeIndex(std::span<const MtEntry> trees)
     for (std::uint32_t t = 0; t < trees.size(); ++t)
         entries.emplace_back(
             Box(Place(trees[t].low[0], trees[t].low[1]), Place(trees[t].high[0], trees[t].high[1])), t);
-    _boxes = std::make_shared<const Boxes>(decltype(Boxes::tree)(entries));
+    _boxes = std::make_shared<const Boxes>(Boxes{decltype(Boxes::tree)(entries)});
 }
 
 std::vector<std::uint32_t> TreeIndex::near(double x, double y, double halfWidth, double halfHeight) const

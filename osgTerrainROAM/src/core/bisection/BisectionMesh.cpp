@@ -80,7 +80,7 @@ void BisectionMesh::findNeeds()
                                        return tree.isSplit(at.self);
                                    });
         std::ranges::sort(needs);
-        needs.erase(std::ranges::unique(needs).begin(), needs.end());
+        needs.erase(std::unique(needs.begin(), needs.end()), needs.end());
     }
 }
 

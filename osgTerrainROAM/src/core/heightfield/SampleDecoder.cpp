@@ -109,15 +109,15 @@ SampleDecoder::SampleDecoder(const RasterSource& source, GdalSession& gdal)
 
 float SampleDecoder::heightM(double value)
 {
-    constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
-    if (std::isnan(value)) return kVoid;
+    constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+    if (std::isnan(value)) return kMissing;
     // As floats, because 1.70141e38 and its like are written shorter than they are stored.
     if (_hasNoData && (value == _noData || static_cast<float>(value) == static_cast<float>(_noData)))
-        return kVoid;
+        return kMissing;
     const double metres = value * _scale + _offset;
     if (metres >= kLowestM && metres <= kHighestM) return static_cast<float>(metres);
     ++implausible;
-    return kVoid;
+    return kMissing;
 }
 
 } // namespace osgTerrainROAM::core

@@ -17,7 +17,7 @@ namespace
 
 namespace mt = osgMultiTriangulation::core;
 
-constexpr int kMostSide = 4097;
+constexpr int kMostSampledSide = 4097;
 
 /// A plane in metres whose numbers are no degrees, however small.
 constexpr const char* kPlaneWkt = "LOCAL_CS[\"plan\",UNIT[\"metre\",1]]";
@@ -46,7 +46,7 @@ foundation::Result<Raster> readTriangulation(const std::filesystem::path& file, 
 {
     const auto opened = mt::MtFile::open(file);
     if (!opened) return opened.error();
-    auto sampled = mt::sampleSurface(*opened, kMostSide);
+    auto sampled = mt::sampleSurface(*opened, kMostSampledSide);
     if (!sampled) return sampled.error();
     const mt::MtInfo& info = opened->info();
     Raster raster;

@@ -297,8 +297,7 @@ private:
                     needs.emplace_back(w, _forest.makerOfFace(f));
         }
         std::ranges::sort(needs);
-        const auto repeated = std::ranges::unique(needs);
-        needs.erase(repeated.begin(), repeated.end());
+        needs.erase(std::unique(needs.begin(), needs.end()), needs.end());
         _forest.firstDependency.assign(splitCount() + 1, 0);
         _forest.dependencies.reserve(needs.size());
         for (const auto& [split, needed] : needs)

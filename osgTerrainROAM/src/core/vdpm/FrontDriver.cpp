@@ -59,10 +59,10 @@ bool FrontDriver::refine(const SplitCriterion& criterion, std::uint32_t maxFaces
     coarsen(frame);
     if (!refineWanted(frame)) return false;
     // What was done for others that wait may be needed no more.
-    const auto left =
-        std::ranges::partition(_halfDone, [this](std::uint32_t split) { return _isHeld[split] != 0; });
-    _toCollapse.insert(_toCollapse.end(), left.begin(), left.end());
-    _halfDone.erase(left.begin(), left.end());
+    const auto left = std::partition(_halfDone.begin(), _halfDone.end(),
+                                     [this](std::uint32_t split) { return _isHeld[split] != 0; });
+    _toCollapse.insert(_toCollapse.end(), left, _halfDone.end());
+    _halfDone.erase(left, _halfDone.end());
     coarsen(frame);
     return _toCollapse.empty() && _found.empty() && !_wheel.hasDue();
 }
