@@ -37,6 +37,9 @@ layer(road-things    "^scenery/roads/things/" foundation objects-core roads-core
 layer(scene-roads    "^scenery/roads/"     foundation viewlod objects-core terrain-core roads-core)
 layer(worldmaking    "^worldmaking/"       foundation viewlod objects-core terrain-core roads-core scene-roads models buildings)
 layer(measurement-view "^measurement/view/" graphics foundation offscreen measurement)
+layer(measurement-light-view "^measurement/light/view/" graphics foundation viewlod terrain-core roads-core simulation lights models clouds measurement-light
+    sky terrain roads offscreen nodes)
+layer(measurement-light "^measurement/light/" foundation simulation lights clouds)
 layer(measurement    "^measurement/"       foundation viewlod terrain-core)
 layer(terminal       "^apps/terminal/"     foundation)
 layer(ground         "^scenery/ground/"    foundation viewlod objects-core terrain-core simulation)
@@ -51,8 +54,8 @@ layer(roads          "^osgRoads/"          graphics foundation viewlod roads-cor
 layer(offscreen      "^osgOffscreen/"      graphics foundation viewlod)
 layer(nodes          "^scenery/nodes/"     graphics foundation viewlod objects-core terrain-core roads-core simulation models placement lights
     traversal objects sky terrain roads road-things buildings clouds)
-set(cores foundation viewlod objects-core terrain-core roads-core mt-core simulation models placement lights buildings scene-roads road-things worldmaking measurement contact clouds)
-set(libraries graphics ${cores} traversal objects sky terrain mt roads offscreen nodes measurement-view)
+set(cores foundation viewlod objects-core terrain-core roads-core mt-core simulation models placement lights buildings scene-roads road-things worldmaking measurement measurement-light contact clouds)
+set(libraries graphics ${cores} traversal objects sky terrain mt roads offscreen nodes measurement-view measurement-light-view)
 layer(trainer-input "^apps/trainer/input/" foundation simulation)
 layer(session-core   "^osgSession/(include/osgSession|src)/core/" foundation viewlod roads-core contact simulation)
 layer(session        "^osgSession/"        ${libraries} ground session-core)

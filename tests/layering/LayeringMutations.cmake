@@ -38,6 +38,8 @@ function(plantTree)
             "scenery/nodes/Sky.h|osgTerrainROAM/Terrain"
             "measurement/Flight.h|osgTerrainROAM/core/Tile.h"
             "measurement/view/Sheet.h|osgOffscreen/Capture"
+            "measurement/light/Lamps.h|scenery/lights/Beam.h"
+            "measurement/light/view/Pictures.h|scenery/nodes/Sky.h"
             "apps/terminal/Terminal.h|foundation/Result.h"
             "scenery/ground/Ground.h|osgTerrainROAM/core/Tile.h"
             "apps/pmtool/polygons/Polygons.h|array"
@@ -143,6 +145,8 @@ expectBreach(apps/pmtool/polygons/Polygons.h "#include <osg/Node>")
 expectBreach(measurement/Flight.h "#include <osg/Vec3d>")
 expectBreach(measurement/Flight.h "#include \"measurement/view/Sheet.h\"")
 expectBreach(measurement/view/Sheet.h "#include \"scenery/nodes/Sky.h\"")
+expectBreach(measurement/light/Lamps.h "#include \"scenery/nodes/Sky.h\"")
+expectBreach(measurement/light/view/Pictures.h "#include \"../../../osgSession/view/Scene.cpp\"")
 expectBreach(scenery/nodes/Sky.h "#include \"view/Scene.cpp\"")
 expectBreach(scenery/nodes/Sky.h "#include \"measurement/Flight.h\"")
 expectBreach(scenery/nodes/Sky.h "#include <osgOffscreen/Capture>")

@@ -8,28 +8,19 @@
 
 #include <gtest/gtest.h>
 
+#include "measurement/light/CloudFigures.h"
+
 namespace
 {
 
 using namespace scenery::clouds;
 using simulation::CloudKind;
 
-constexpr double kSeenDepth = 0.1; ///< from which on a cloud is seen
+using measurement::oktasOf;
 
 CloudVolume volumeOf(CloudKind kind, int oktas)
 {
     return makeCloudVolume({kind, oktas, 1000.0, 1000.0 + (kind == CloudKind::cumulus ? 900.0 : 400.0)}, 1U);
-}
-
-/// Eighths of 2000 rays straight up that meet cloud.
-double oktasOf(const CloudVolume& volume)
-{
-    std::mt19937 random(7);
-    const auto anywhere = [&] { return static_cast<double>(random() % 2048000U) / 100.0; };
-    int met = 0;
-    for (int i = 0; i < 2000; ++i)
-        met += opticalDepth(volume, {anywhere(), anywhere(), 0.0}, {0.0, 0.0, 1.0}) > kSeenDepth ? 1 : 0;
-    return met / 250.0;
 }
 
 } // namespace

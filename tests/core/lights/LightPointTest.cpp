@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
+#include "measurement/light/LampFigures.h"
 #include "scenery/lights/Allard.h"
 #include "scenery/lights/LightSteps.h"
 
@@ -17,28 +18,13 @@ using scenery::LightPoint;
 namespace
 {
 
-struct Row
-{
-    double candela, leastLx, visibilityKm, rangeKm;
-};
-
-// Ranges worked out from Allard's law by another program, to three digits.
-constexpr Row kRanges[]{
-    {1000, 8e-7, 0.4, 0.96},  {1000, 8e-7, 1.5, 2.61},  {1000, 8e-7, 5, 5.95},    {1000, 8e-7, 10, 9.08},
-    {1000, 8e-7, 50, 19.6},   {1000, 1e-4, 0.4, 0.50},  {1000, 1e-4, 1.5, 1.08},  {1000, 1e-4, 5, 1.83},
-    {1000, 1e-4, 10, 2.26},   {1000, 1e-4, 50, 2.90},   {2500, 8e-7, 0.4, 1.06},  {2500, 8e-7, 50, 25.8},
-    {10000, 8e-7, 0.4, 1.21}, {10000, 8e-7, 1.5, 3.48}, {10000, 8e-7, 5, 8.57},   {10000, 8e-7, 10, 13.9},
-    {10000, 8e-7, 50, 37.0},  {10000, 1e-4, 5, 3.50},   {10000, 1e-4, 50, 7.89},  {10000, 1e-5, 0.4, 0.94},
-    {10000, 1e-5, 10, 8.65},  {10000, 1e-5, 50, 18.3},  {20000, 8e-7, 10, 15.5},  {20000, 8e-7, 50, 43.3},
-    {20000, 1e-4, 1.5, 1.97}, {20000, 1e-4, 50, 10.4},  {10000, 1e-3, 1.5, 1.08}, {10000, 1e-3, 50, 2.90}};
-
 using Range = std::function<double(double candela, double visibilityM, double leastLx)>;
 
 /// The largest deviation from the table, as a share.
 double worstRange(const Range& range)
 {
     double worst = 0.0;
-    for (const Row& row : kRanges)
+    for (const measurement::KnownRange& row : measurement::knownRanges())
         worst = std::max(worst, std::abs(range(row.candela, 1000.0 * row.visibilityKm, row.leastLx) /
                                              (1000.0 * row.rangeKm) -
                                          1.0));

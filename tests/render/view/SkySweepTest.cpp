@@ -5,108 +5,38 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "RenderedView.h"
+#include "measurement/light/view/SkyPictures.h"
 
 using osgSky::AtmosphereSettings;
 
 namespace
 {
 
-constexpr int kSteps = 200;
+using measurement::deepestFall;
+using measurement::largestStep;
+using measurement::SkyPictures;
+using measurement::sunAtShare;
+
 constexpr double kMostStep = 0.02;    ///< of white
 constexpr double kMostSunStep = 0.03; ///< in twilight: half a degree of the sun is 2.8 % there
 constexpr double kNoFall = 0.02;      ///< of the light before: rounding of pixels
 
-/// Mean luminance of the upper half of a picture, which is sky, 0 … 1.
-double luminanceOf(const osg::Image& picture)
+measurement::SkySweep sweep(const std::function<AtmosphereSettings(double)>& settingsAt,
+                            const glm::dvec3& towards)
 {
-    double sum = 0.0;
-    for (int y = picture.t() / 2; y < picture.t(); ++y)
-        for (int x = 0; x < picture.s(); ++x)
-        {
-            const unsigned char* pixel = picture.data(static_cast<unsigned>(x), static_cast<unsigned>(y));
-            sum += 0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2];
-        }
-    return sum / (255.0 * picture.s() * (picture.t() - picture.t() / 2));
+    const auto pictures = SkyPictures::create();
+    if (!pictures) throw std::runtime_error(pictures.error().message());
+    return (*pictures)->sweep(settingsAt, towards);
 }
-
-/// Undoes displayColour(): the light that a mean level of the picture stands for.
-double lightOf(double level, double exposure)
-{
-    return std::pow(-std::log(1.0 - std::min(level * level, 0.998)), 1.0 / 1.125) / exposure;
-}
-
-/// What a view shows at each step of a sweep: its luminance, and the light that this stands for.
-struct Sweep
-{
-    std::vector<double> levels, lights;
-};
-
-/// The eye looks along `towards`, the sky above it.
-Sweep sweep(const std::function<AtmosphereSettings(double)>& settingsAt, const glm::dvec3& towards)
-{
-    const rendered::ViewScene scene;
-    osgOffscreen::OffscreenSettings settings;
-    settings.widthPx = 48;
-    settings.heightPx = 36;
-    auto viewer = osgOffscreen::OffscreenViewer::create(settings);
-    Sweep seen;
-    if (!viewer)
-    {
-        ADD_FAILURE() << viewer.error().message();
-        return seen;
-    }
-    (*viewer)->viewer().setSceneData(scene.root);
-    (*viewer)->camera().setProjectionMatrixAsPerspective(60.0, 4.0 / 3.0, 0.5, 2e5);
-    const glm::dvec3 eye(0.0, 0.0, 50.0);
-    const glm::dmat4 view = scenery::viewFromWorld(scenery::poseLookingAt(eye, eye + towards));
-    (*viewer)->camera().setViewMatrix(osg::Matrixd(&view[0][0]));
-    for (int i = 0; i <= kSteps; ++i)
-    {
-        EXPECT_TRUE(scene.atmosphere->setSettings(settingsAt(static_cast<double>(i) / kSteps)));
-        seen.levels.push_back(luminanceOf(*(*viewer)->picture()));
-        seen.lights.push_back(lightOf(seen.levels.back(), scene.atmosphere->light().exposure));
-    }
-    return seen;
-}
-
-double largestStep(const std::vector<double>& levels)
-{
-    double largest = 0.0;
-    for (std::size_t i = 0; i + 1 < levels.size(); ++i)
-        largest = std::max(largest, std::abs(levels[i + 1] - levels[i]));
-    return largest;
-}
-
-/// The deepest fall below what has been before, as a share of it, between two shares of a sweep.
-double deepestFall(const std::vector<double>& levels, double from, double to)
-{
-    double highest = 0.0, deepest = 0.0;
-    for (auto i = static_cast<std::size_t>(from * kSteps); i <= static_cast<std::size_t>(to * kSteps); ++i)
-    {
-        highest = std::max(highest, levels.at(i));
-        deepest = std::max(deepest, 1.0 - levels.at(i) / highest);
-    }
-    return deepest;
-}
-
-constexpr double kLowestDeg = -20.0, kHighestDeg = 90.0;
 
 double shareOf(double elevationDeg)
 {
-    return (elevationDeg - kLowestDeg) / (kHighestDeg - kLowestDeg);
-}
-
-AtmosphereSettings sunAtShare(double share)
-{
-    AtmosphereSettings air;
-    air.sunDirectionWorld =
-        osgSky::sunDirectionFromAngles(180.0, kLowestDeg + share * (kHighestDeg - kLowestDeg));
-    return air;
+    return measurement::shareOfSun(elevationDeg);
 }
 
 } // namespace
@@ -116,7 +46,7 @@ TEST(SkySweep, TheSunsHeightChangesTheSkyWithoutAStep)
     for (const glm::dvec3& towards : {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 0.0, 0.6)})
     {
         const auto [levels, lights] = sweep(sunAtShare, towards);
-        ASSERT_EQ(levels.size(), static_cast<std::size_t>(kSteps + 1));
+        ASSERT_EQ(levels.size(), static_cast<std::size_t>(SkyPictures::kSteps + 1));
         EXPECT_LE(largestStep(levels), kMostSunStep);
         EXPECT_LE(deepestFall(lights, 0.0, shareOf(35.0)), kNoFall);
         EXPECT_GT(*std::min_element(levels.begin(), levels.end()), 0.01) << "night is not black";
