@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <initializer_list>
+#include <optional>
 #include <sstream>
 
 #include <foundation/ReadableFile.h>
+#include <foundation/WholeText.h>
 
 #include <osg/Geometry>
 #include <osg/NodeVisitor>
@@ -21,6 +24,7 @@
 
 #include "ContainedRun.h"
 #include "CrowdedObj.h"
+#include "ObjSmoothing.h"
 
 namespace osgPMObjects
 {
@@ -61,15 +65,33 @@ bool isGltf(const std::filesystem::path& file)
     return hasExtension(file, {"gltf", "glb"});
 }
 
-/// Returns what OSG's loader is told besides the name of the file: what the registry says, and for a crowded
-/// .obj more.
-osg::ref_ptr<osgDB::Options> loaderOptions(const std::filesystem::path& file)
+/// Copies what the registry says to loaders, or makes empty options.
+osg::ref_ptr<osgDB::Options> copyOfOptions()
 {
     const osg::ref_ptr<osgDB::Options> usual = osgDB::Registry::instance()->getOptions();
-    if (!hasExtension(file, {"obj"}) || !isCrowdedObj(file)) return usual;
-    const osg::ref_ptr<osgDB::Options> options = usual ? usual->cloneOptions() : new osgDB::Options;
-    options->setOptionString(options->getOptionString() + " noTriStripPolygons generateFacetNormals");
-    return options;
+    return usual ? usual->cloneOptions() : new osgDB::Options;
+}
+
+/// Reads a Wavefront .obj with OSG's loader. A crowded one gets no smooth normals, others those of their
+/// smoothing groups.
+osg::ref_ptr<osg::Node> readObj(const std::filesystem::path& file)
+{
+    constexpr std::uintmax_t kMostBytes = 1u << 30; // of a text that is read whole
+    if (isCrowdedObj(file))
+    {
+        const osg::ref_ptr<osgDB::Options> options = copyOfOptions();
+        options->setOptionString(options->getOptionString() + " noTriStripPolygons generateFacetNormals");
+        return osgDB::readRefNodeFile(file.string(), options);
+    }
+    std::optional<std::string> smoothed;
+    if (const auto text = foundation::readWholeText(file, kMostBytes)) smoothed = withGroupNormals(*text);
+    osgDB::ReaderWriter* loader = osgDB::Registry::instance()->getReaderWriterForExtension("obj");
+    if (!smoothed || !loader)
+        return osgDB::readRefNodeFile(file.string(), osgDB::Registry::instance()->getOptions());
+    const osg::ref_ptr<osgDB::Options> options = copyOfOptions();
+    options->getDatabasePathList().push_front(file.parent_path().string()); // of materials and textures
+    std::istringstream stream(*smoothed);
+    return loader->readNode(stream, options).getNode();
 }
 
 /// Reads the finest level of a progressive mesh as plain geometry.
@@ -146,7 +168,10 @@ foundation::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesys
     const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
     const osg::ref_ptr<FirstWords> words = new FirstWords;
     osg::setNotifyHandler(words);
-    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string(), loaderOptions(file));
+    const osg::ref_ptr<osg::Node> node =
+        hasExtension(file, {"obj"})
+            ? readObj(file)
+            : osgDB::readRefNodeFile(file.string(), osgDB::Registry::instance()->getOptions());
     osg::setNotifyHandler(before);
     if (node)
         for (const std::string& name : missing.names())
