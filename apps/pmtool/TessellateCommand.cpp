@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <charconv>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include <foundation/WholeFile.h>
 
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "pmtool/TextureFile.h"
 #include "pmtool/Timing.h"
 #include "pmtool/polygons/CutPolygons.h"
 #include "pmtool/polygons/ReadPolygons.h"
@@ -34,8 +39,35 @@ struct TessellateRequest
 {
     std::vector<std::string> files;
     CutSettings cut;
+    std::filesystem::path textureFile; ///< of quads that are pre-warped
     std::filesystem::path outputFolder;
 };
+
+/// Reads the value of `--warped`; returns what is wrong with it.
+std::string readWarped(const std::string& how, CutSettings& cut)
+{
+    cut.warpTolerance = 0.0;
+    cut.quadTexture = how == "pre"          ? QuadTexture::preWarped
+                      : how == "projective" ? QuadTexture::projective
+                                            : QuadTexture::affine;
+    if (cut.quadTexture != QuadTexture::affine) return {};
+    const auto [end, failed] = std::from_chars(how.data(), how.data() + how.size(), cut.warpTolerance);
+    const bool isNumber = failed == std::errc() && end == how.data() + how.size();
+    if (isNumber && cut.warpTolerance >= 0.0 && cut.warpTolerance <= 1.0) return {};
+    return "'" + how + "' is neither in 0 ... 1 nor pre or projective";
+}
+
+/// Refuses settings that do not go together.
+void checkWarped(const TessellateRequest& request)
+{
+    const bool isPre = request.cut.quadTexture == QuadTexture::preWarped;
+    if (isPre && request.textureFile.empty())
+        throw CLI::ValidationError("--warped pre", "needs the --texture that is to be warped");
+    if (!isPre && !request.textureFile.empty())
+        throw CLI::ValidationError("--texture", "has a meaning with --warped pre only");
+    if (request.cut.quadTexture != QuadTexture::affine && request.cut.longestEdge > 0.0)
+        throw CLI::ValidationError("--uniform", "goes with a --warped that is a number only");
+}
 
 Json rowOf(const std::string& file, const CutMesh& mesh, const CutSettings& settings)
 {
@@ -53,6 +85,8 @@ Json rowOf(const std::string& file, const CutMesh& mesh, const CutSettings& sett
         row.update(Json{{"crossings", counts.crossings},
                         {"unusedCorners", counts.unusedCorners},
                         {"bridges", counts.bridges}});
+    if (settings.quadTexture != QuadTexture::affine)
+        row.update(Json{{"warpedQuads", counts.warpedQuads}, {"refusedQuads", counts.refusedQuads}});
     if (settings.warpTolerance > 0.0)
         row.update(Json{{"grids", counts.grids}, {"refusedGrids", counts.refusedGrids}});
     return row;
@@ -65,8 +99,38 @@ void printCut(const Json& row)
         if (key != "model") std::cout << "  " << key << ": " << value << '\n';
 }
 
+/// Writes the faces of a file, and with a pre-warped texture that and the material that shows it.
+foundation::Outcome writeCut(const CutMesh& mesh, const std::optional<Texels>& texture,
+                             const std::filesystem::path& target)
+{
+    const auto beside = [&](const char* extension)
+    { return std::filesystem::path(target).replace_extension(extension); };
+    std::string text = objTextOf(mesh);
+    if (texture)
+    {
+        const std::filesystem::path material = beside(".mtl"), picture = beside(".png");
+        text = "mtllib " + material.filename().string() + "\nusemtl warped\n" + text;
+        const std::string look = "newmtl warped\nKd 1 1 1\nmap_Kd " + picture.filename().string() + '\n';
+        if (auto done = writeTexels(*texture, picture); !done) return done;
+        if (auto done = foundation::writeWholeFile(material, look); !done) return done;
+    }
+    return foundation::writeWholeFile(target, text);
+}
+
+/// Warps the texture for the faces of a file, if that was asked for.
+foundation::Result<std::optional<Texels>> warpedFor(const CutMesh& mesh, const std::optional<Texels>& texture,
+                                                    const std::string& file)
+{
+    if (!texture) return std::optional<Texels>();
+    auto warped = warpTexture(*texture, mesh.texturedFaces);
+    if (!warped)
+        return foundation::Error{file + ", " + warped.error().place, warped.error().what,
+                                 warped.error().remedy};
+    return std::optional(*std::move(warped));
+}
+
 foundation::Result<Json> tessellateFile(const TessellateRequest& request, OutputNames& names,
-                                        const std::string& file)
+                                        const std::optional<Texels>& texture, const std::string& file)
 {
     const auto set = readPolygons(file);
     if (!set) return set.error();
@@ -75,13 +139,14 @@ foundation::Result<Json> tessellateFile(const TessellateRequest& request, Output
     foundation::Result<CutMesh> mesh = CutMesh();
     const double ms = millisecondsOf([&] { mesh = cutPolygons(*set, request.cut, file); });
     if (!mesh) return mesh.error();
+    const auto warped = warpedFor(*mesh, texture, file);
+    if (!warped) return warped.error();
     Json row = rowOf(file, *mesh, request.cut);
     row["ms"] = ms;
     if (!request.outputFolder.empty())
     {
         const std::filesystem::path target = request.outputFolder / (names.nameFor(file) + ".obj");
-        if (const auto done = foundation::writeWholeFile(target, objTextOf(*mesh)); !done)
-            return done.error();
+        if (const auto done = writeCut(*mesh, *warped, target); !done) return done.error();
         row["output"] = target.string();
     }
     printCut(row);
@@ -92,9 +157,16 @@ foundation::Result<terminal::Report> tessellateFiles(const TessellateRequest& re
 {
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
+    std::optional<Texels> texture;
+    if (!request.textureFile.empty())
+    {
+        auto read = readTexels(request.textureFile);
+        if (!read) return read.error();
+        texture = *std::move(read);
+    }
     OutputNames names;
-    return forEachModel(request.files,
-                        [&](const std::string& file) { return tessellateFile(request, names, file); });
+    return forEachModel(request.files, [&](const std::string& file)
+                        { return tessellateFile(request, names, texture, file); });
 }
 
 } // namespace
@@ -119,12 +191,17 @@ void addTessellate(CLI::App& app, Chosen& chosen)
         ->check(terminal::between(0.0, 1e9))
         ->excludes(convex);
     command
-        ->add_option("--warped", cut.warpTolerance,
-                     "cut textured quads into grids that keep the texture this near to the bilinear map, in "
-                     "widths of the "
-                     "texture (0: none)")
-        ->check(terminal::between(0.0, 1.0))
+        ->add_option_function<std::string>(
+            "--warped",
+            [&cut](const std::string& how)
+            {
+                if (const std::string wrong = readWarped(how, cut); !wrong.empty())
+                    throw CLI::ValidationError("--warped", wrong);
+            },
+            "keep the texture of quads: cut into grids this near to the bilinear map, in widths of the "
+            "texture (0: none); pre: warp the texture for two triangles; projective: coordinates u q, v q, q")
         ->excludes(convex);
+    command->add_option("--texture", request->textureFile, "with --warped pre: the picture to warp");
     command
         ->add_option("--inside", cut.outline.inside,
                      "what belongs to a polygon, by how often its contours run around it: odd (default), "
@@ -137,7 +214,12 @@ void addTessellate(CLI::App& app, Chosen& chosen)
                      "average normal")
         ->transform(terminal::named(kProjections));
     command->add_option("--output", request->outputFolder, "folder for the result, NAME.obj");
-    command->callback([request, &chosen] { chosen.work = [request] { return tessellateFiles(*request); }; });
+    command->callback(
+        [request, &chosen]
+        {
+            checkWarped(*request);
+            chosen.work = [request] { return tessellateFiles(*request); };
+        });
 }
 
 } // namespace pmtool

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <string_view>
+#include <vector>
 
 #include "pmtool/polygons/CutPolygons.h"
 #include "pmtool/polygons/ReadPolygons.h"
@@ -34,12 +35,34 @@ bool isSound(const pmtool::PolygonSet& set)
     return true;
 }
 
+/// Whether the faces show few texels: the time of a warped texture follows their number.
+bool areSmall(const std::vector<pmtool::TexturedFace>& faces)
+{
+    for (const pmtool::TexturedFace& face : faces)
+        for (const glm::dvec2& t : face.quad.texCoords)
+            if (!(std::abs(t.x) < 10.0 && std::abs(t.y) < 10.0)) return false;
+    return true;
+}
+
 void check(const foundation::Result<pmtool::PolygonSet>& set)
 {
     if (!set) return;
     if (!isSound(*set)) std::abort();
     if (set->positions.size() > 200) return; // crossings cost the square of the corners
-    if (const auto cut = pmtool::cutPolygons(*set, {.warpTolerance = 0.05}, "fuzz")) pmtool::objTextOf(*cut);
+    for (const auto texture :
+         {pmtool::QuadTexture::affine, pmtool::QuadTexture::preWarped, pmtool::QuadTexture::projective})
+    {
+        const double tolerance = texture == pmtool::QuadTexture::affine ? 0.05 : 0.0;
+        const pmtool::CutSettings settings{.warpTolerance = tolerance, .quadTexture = texture};
+        const auto cut = pmtool::cutPolygons(*set, settings, "fuzz");
+        if (!cut) continue;
+        pmtool::objTextOf(*cut);
+        if (!areSmall(cut->texturedFaces)) continue;
+        const pmtool::Texels texture8{8, 8, std::vector<glm::vec4>(64)};
+        if (const auto warped = pmtool::warpTexture(texture8, cut->texturedFaces);
+            warped && warped->colours.size() != 64)
+            std::abort();
+    }
 }
 
 } // namespace

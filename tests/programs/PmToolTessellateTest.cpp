@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // `pmtool tessellate` as somebody runs it.
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
 #include <sstream>
+#include <vector>
+
+#include <gdal_priv.h>
 
 #include "PmToolRun.h"
 
@@ -83,6 +90,104 @@ TEST(PmToolTessellate, HalvesLongEdgesAndKeepsTexturesBilinear)
     EXPECT_EQ(warped["refusedGrids"], 0);
     EXPECT_GT(warped["triangles"], 8);
     EXPECT_NEAR(areaOf(readBytes(place.path("warped/faces.obj"))), 4.5, 1e-12);
+}
+
+/// A trapezoid that shows a whole texture, and a picture of 64 x 64 texels whose red rises to the right.
+constexpr const char* kTrapezoid = "v -1 0 0\nv 1 0 0\nv .5 1 0\nv -.5 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                                   "f 1/1 2/2 3/3 4/4\n";
+
+std::string risingPicture()
+{
+    std::string ppm = "P6\n64 64\n255\n";
+    for (int row = 0; row < 64; ++row)
+        for (int column = 0; column < 64; ++column)
+            ppm += {static_cast<char>(4 * column), '\0', '\0'};
+    return ppm;
+}
+
+/// The reds of a picture, row by row from above.
+std::vector<std::uint8_t> redsOf(const std::string& file)
+{
+    const std::unique_ptr<GDALDataset> picture(GDALDataset::Open(file.c_str()));
+    if (!picture) return {};
+    std::vector<std::uint8_t> reds(64 * 64);
+    EXPECT_EQ(picture->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, 64, 64, reds.data(), 64, 64, GDT_Byte, 0, 0,
+                                                  nullptr),
+              CE_None);
+    return reds;
+}
+
+TEST(PmToolTessellate, WarpsATextureForTwoTrianglesAQuad)
+{
+    const Workplace place;
+    const std::string file = place.write("roof.obj", kTrapezoid),
+                      texture = place.write("rising.ppm", risingPicture());
+    const auto row = pmToolTable(place, {"tessellate", file, "--warped", "pre", "--texture", texture,
+                                         "--output", place.path("cut")})["models"][0];
+    EXPECT_EQ(row["triangles"], 2);
+    EXPECT_EQ(row["warpedQuads"], 1);
+    EXPECT_EQ(row["refusedQuads"], 0);
+    const std::string obj = readBytes(place.path("cut/roof.obj"));
+    EXPECT_TRUE(obj.starts_with("mtllib roof.mtl\nusemtl warped\n")) << obj;
+    EXPECT_NE(readBytes(place.path("cut/roof.mtl")).find("map_Kd roof.png\n"), std::string::npos);
+    const auto reds = redsOf(place.path("cut/roof.png"));
+    ASSERT_EQ(reds.size(), 64u * 64u);
+    // The trapezoid is 2 - v wide at the height v; each triangle maps its texels affinely.
+    double most = 0.0;
+    for (int up = 0; up < 64; ++up)
+        for (int column = 0; column < 64; ++column)
+        {
+            const double u = (column + 0.5) / 64.0, v = (up + 0.5) / 64.0;
+            const double x = u >= v ? 2.0 * u - 0.5 * v - 1.0 : u + 0.5 * v - 1.0;
+            const double share = x / (2.0 - v) + 0.5;
+            const int red = reds[static_cast<std::size_t>((63 - up) * 64 + column)];
+            EXPECT_NEAR(red, std::clamp(256.0 * share - 2.0, 0.0, 252.0), 3.0) << column << ' ' << up;
+            most = std::max(most, std::abs(share - u));
+        }
+    EXPECT_GT(most, 0.1); // it is not the picture that was given
+}
+
+TEST(PmToolTessellate, WritesProjectiveCoordinates)
+{
+    const Workplace place;
+    const std::string file = place.write("roof.obj", kTrapezoid);
+    const auto row = pmToolTable(
+        place, {"tessellate", file, "--warped", "projective", "--output", place.path("cut")})["models"][0];
+    EXPECT_EQ(row["triangles"], 2);
+    EXPECT_EQ(row["warpedQuads"], 1);
+    std::istringstream lines(readBytes(place.path("cut/roof.obj")));
+    int divided = 0;
+    for (std::string line, key; std::getline(lines, line);)
+    {
+        std::istringstream words(line);
+        double u = 0.0, v = 0.0, q = 0.0;
+        if (words >> key >> u >> v >> q; key != "vt" || q == 1.0) continue;
+        ++divided;
+        EXPECT_TRUE(u == 0.0 || std::abs(u - q) < 1e-12) << line;
+        EXPECT_TRUE(v == 0.0 || std::abs(v - q) < 1e-12) << line;
+    }
+    EXPECT_EQ(divided, 4);
+}
+
+TEST(PmToolTessellate, SaysWhatDoesNotGoWithWarpedQuads)
+{
+    const Workplace place;
+    const std::string file = place.write("roof.obj", kTrapezoid),
+                      texture = place.write("rising.ppm", risingPicture());
+    const auto fails = [&](Words more, int code, const Words& words)
+    {
+        more.insert(more.begin(), {"tessellate", file});
+        return failsWith(runPmTool(more), code, "pmtool", words);
+    };
+    EXPECT_TRUE(fails({"--warped", "post"}, 2, {"--warped", "'post'", "projective"}));
+    EXPECT_TRUE(fails({"--warped", "2"}, 2, {"--warped", "'2'"}));
+    EXPECT_TRUE(fails({"--warped", "pre"}, 2, {"--warped pre", "--texture"}));
+    EXPECT_TRUE(fails({"--texture", texture}, 2, {"--texture", "--warped pre"}));
+    EXPECT_TRUE(fails({"--warped", "projective", "--uniform", "1"}, 2, {"--uniform"}));
+    EXPECT_TRUE(fails({"--warped", "pre", "--texture", "/nowhere.png"}, 1, {"/nowhere.png"}));
+    const std::string twice = place.write("twice.obj", std::string(kTrapezoid) + "f 1/1 2/2 3/3\n");
+    EXPECT_TRUE(failsWith(runPmTool({"tessellate", twice, "--warped", "pre", "--texture", texture}), 1,
+                          "pmtool", {"twice.obj, line 10", "line 9"}));
 }
 
 TEST(PmToolTessellate, SaysWhatItCannotRead)

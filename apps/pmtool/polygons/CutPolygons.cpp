@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pmtool/polygons/CutPolygons.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -33,8 +36,10 @@ public:
         ++counts.polygons;
         counts.corners += polygon.corners.size();
         counts.holes += polygon.contourSizes.size() - 1;
-        if (_settings.warpTolerance > 0.0 && polygon.isTextured && polygon.corners.size() == 4 &&
-            cutToGrid(polygon))
+        const bool isTexturedQuad = polygon.isTextured && polygon.corners.size() == 4;
+        if (isTexturedQuad && _settings.warpTolerance > 0.0 && cutToGrid(polygon))
+            return foundation::success();
+        if (isTexturedQuad && _settings.quadTexture != QuadTexture::affine && cutAlongDiagonal(polygon))
             return foundation::success();
         std::vector<glm::dvec3> corners;
         for (const std::uint32_t vertex : polygon.corners)
@@ -70,7 +75,11 @@ private:
         if (!cut) return cut.error();
         const auto vertices = verticesOf(polygon, corners, cut->inserted);
         for (const core::Triangle& t : cut->triangles)
+        {
             _mesh.faces.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+            if (polygon.isTextured && _settings.quadTexture == QuadTexture::preWarped)
+                addTexturedFace(_mesh.faces.back(), polygon.location);
+        }
         _mesh.counts.crossings += cut->crossings;
         _mesh.counts.unusedCorners += cut->unusedCorners;
         _mesh.counts.bridges += cut->bridges;
@@ -93,16 +102,54 @@ private:
         return foundation::success();
     }
 
+    /// A textured polygon of three or four vertices; of three the fourth corner is 0.
+    core::TexturedQuad quadOf(const std::vector<std::uint32_t>& corners) const
+    {
+        core::TexturedQuad quad{};
+        for (std::size_t i = 0; i < corners.size(); ++i)
+        {
+            quad.positions[i] = _mesh.positions[corners[i]];
+            quad.texCoords[i] = _mesh.texCoords[corners[i]];
+        }
+        return quad;
+    }
+
+    void addTexturedFace(const std::vector<std::uint32_t>& corners, const std::string& location)
+    {
+        _mesh.texturedFaces.push_back({quadOf(corners), corners.size() == 4, location});
+    }
+
+    /// Returns false where the quad is not convex.
+    bool cutAlongDiagonal(const Polygon& polygon)
+    {
+        const core::TexturedQuad quad = quadOf(polygon.corners);
+        const auto coords = core::projectiveTexCoords(quad);
+        ++(coords ? _mesh.counts.warpedQuads : _mesh.counts.refusedQuads);
+        if (!coords) return false;
+        std::vector<std::uint32_t> vertices = polygon.corners;
+        if (_settings.quadTexture == QuadTexture::preWarped)
+            addTexturedFace(polygon.corners, polygon.location);
+        else if (!isEvenlyDivided(*coords))
+            for (std::size_t i = 0; i < 4; ++i)
+                vertices[i] = addVertex(quad.positions[i], glm::dvec2((*coords)[i]), (*coords)[i].z);
+        _mesh.faces.push_back({vertices[0], vertices[1], vertices[2]});
+        _mesh.faces.push_back({vertices[0], vertices[2], vertices[3]});
+        return true;
+    }
+
+    /// Whether an affine map does, as for a parallelogram.
+    static bool isEvenlyDivided(const std::array<glm::dvec3, 4>& coords)
+    {
+        constexpr double kRounding = 1e-12;
+        return std::all_of(coords.begin(), coords.end(),
+                           [&](const glm::dvec3& c)
+                           { return std::abs(c.z - coords[0].z) <= kRounding * coords[0].z; });
+    }
+
     /// Returns false where the quad cannot be a grid within the tolerance.
     bool cutToGrid(const Polygon& polygon)
     {
-        core::TexturedQuad quad;
-        for (std::size_t i = 0; i < 4; ++i)
-        {
-            quad.positions[i] = _mesh.positions[polygon.corners[i]];
-            quad.texCoords[i] = _mesh.texCoords[polygon.corners[i]];
-        }
-        const auto grid = core::meshQuad(quad, _settings.warpTolerance);
+        const auto grid = core::meshQuad(quadOf(polygon.corners), _settings.warpTolerance);
         ++(grid ? _mesh.counts.grids : _mesh.counts.refusedGrids);
         if (!grid) return false;
         // The grid's corners are the quad's own vertices, so that neighbours still meet there.
@@ -134,10 +181,13 @@ private:
         return vertices;
     }
 
-    std::uint32_t addVertex(const glm::dvec3& position, const glm::dvec2& texCoord)
+    std::uint32_t addVertex(const glm::dvec3& position, const glm::dvec2& texCoord, double divisor = 1.0)
     {
+        if (_mesh.texDivisors.empty() && divisor != 1.0)
+            _mesh.texDivisors.resize(_mesh.positions.size(), 1.0);
         _mesh.positions.push_back(position);
         if (!_mesh.texCoords.empty()) _mesh.texCoords.push_back(texCoord);
+        if (!_mesh.texDivisors.empty()) _mesh.texDivisors.push_back(divisor);
         return static_cast<std::uint32_t>(_mesh.positions.size() - 1);
     }
 
@@ -172,8 +222,11 @@ std::string objTextOf(const CutMesh& mesh)
     std::string text;
     for (const glm::dvec3& p : mesh.positions)
         addFormatted(text, "v %.17g %.17g %.17g\n", p.x, p.y, p.z);
-    for (const glm::dvec2& t : mesh.texCoords)
-        addFormatted(text, "vt %.17g %.17g\n", t.x, t.y);
+    for (std::size_t v = 0; v < mesh.texCoords.size(); ++v)
+        if (const glm::dvec2& t = mesh.texCoords[v]; mesh.texDivisors.empty())
+            addFormatted(text, "vt %.17g %.17g\n", t.x, t.y);
+        else
+            addFormatted(text, "vt %.17g %.17g %.17g\n", t.x, t.y, mesh.texDivisors[v]);
     for (const auto& face : mesh.faces)
     {
         text += 'f';

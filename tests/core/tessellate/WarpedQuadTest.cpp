@@ -151,7 +151,10 @@ TEST(WarpedQuad, ProjectiveTextureGoesOnStraightAcrossTheDiagonal)
     Random random(43);
     for (int i = 0; i < 1000; ++i)
     {
-        const TexturedQuad quad = randomQuad(random);
+        TexturedQuad quad = randomQuad(random);
+        if (i % 2) // any convex part of the texture
+            for (int k = 0; const glm::dvec3& p : randomQuad(random).positions)
+                quad.texCoords[k++] = glm::dvec2(p);
         const auto coords = projectiveTexCoords(quad);
         ASSERT_TRUE(coords);
         // One projective map for both triangles: the fourth corner follows from the other three by the same
@@ -168,6 +171,22 @@ TEST(WarpedQuad, ProjectiveTextureGoesOnStraightAcrossTheDiagonal)
         EXPECT_LT(std::abs(fourth.z / (*coords)[3].z - 1.0), 1e-9);
     }
     EXPECT_FALSE(projectiveTexCoords(trapezoid(-0.5)));
+    TexturedQuad flat = trapezoid(0.5);
+    flat.texCoords[2] = flat.texCoords[1]; // a part of the texture without area
+    flat.texCoords[3] = flat.texCoords[0];
+    EXPECT_FALSE(projectiveTexCoords(flat));
+}
+
+TEST(WarpedQuad, ProjectiveTextureOfAnAffineMapNeedsNoDivision)
+{
+    Random random(44);
+    TexturedQuad quad = randomQuad(random);
+    for (std::size_t k = 0; k < 4; ++k)
+        quad.texCoords[k] = glm::dvec2(0.3 * quad.positions[k].x - quad.positions[k].y, quad.positions[k].x);
+    const auto coords = projectiveTexCoords(quad);
+    ASSERT_TRUE(coords);
+    for (const glm::dvec3& c : *coords)
+        EXPECT_NEAR(c.z / (*coords)[0].z, 1.0, 1e-12);
 }
 
 } // namespace

@@ -85,6 +85,17 @@ std::optional<glm::dvec2> sharesAt(std::span<const glm::dvec2> p)
     return std::nullopt;
 }
 
+/// Returns for each corner of a flat quad the q of its projective map to a square: the length of its diagonal
+/// over that of the part beyond the crossing; nothing if the diagonals do not meet inside.
+std::optional<std::array<double, 4>> divisorsOf(std::span<const glm::dvec2> p)
+{
+    const glm::dvec2 d = p[2] - p[0], e = p[3] - p[1], between = p[1] - p[0];
+    const double determinant = cross(d, e);
+    const double s = cross(between, e) / determinant, t = cross(between, d) / determinant;
+    if (!(s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)) return std::nullopt;
+    return std::array{1.0 / (1.0 - s), 1.0 / (1.0 - t), 1.0 / s, 1.0 / t};
+}
+
 } // namespace
 
 glm::dvec3 positionAt(const TexturedQuad& quad, const glm::dvec2& shares)
@@ -138,16 +149,14 @@ std::optional<glm::dvec2> preWarpedTexCoord(const TexturedQuad& quad, const std:
 
 std::optional<std::array<glm::dvec3, 4>> projectiveTexCoords(const TexturedQuad& quad)
 {
-    const std::vector<glm::dvec2> p = seenFlat(quad, quad.positions[0]);
-    const glm::dvec2 d = p[2] - p[0], e = p[3] - p[1], between = p[1] - p[0];
-    const double determinant = cross(d, e);
-    const double s = cross(between, e) / determinant, t = cross(between, d) / determinant;
-    if (!(s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)) return std::nullopt;
-    // The q of a corner is the length of its diagonal over that of the part beyond the crossing.
-    const std::array<double, 4> q = {1.0 / (1.0 - s), 1.0 / (1.0 - t), 1.0 / s, 1.0 / t};
+    const auto from = divisorsOf(seenFlat(quad, quad.positions[0])), to = divisorsOf(quad.texCoords);
+    if (!from || !to) return std::nullopt;
     std::array<glm::dvec3, 4> coords;
-    for (int i = 0; i < 4; ++i)
-        coords[i] = glm::dvec3(quad.texCoords[i] * q[i], q[i]);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        const double q = (*from)[i] / (*to)[i];
+        coords[i] = glm::dvec3(quad.texCoords[i] * q, q);
+    }
     return coords;
 }
 

@@ -53,8 +53,9 @@ foundation::Result<QuadGrid> meshQuad(const TexturedQuad& quad, double tolerance
 std::optional<glm::dvec2> preWarpedTexCoord(const TexturedQuad& quad, const std::array<double, 4>& weights);
 
 /// Computes the third solution, for cards that divide by the third texture coordinate: (u q, v q, q) for each
-/// corner, the projective map of a flat convex quad. Straight lines of the texture stay straight, unlike in
-/// the bilinear patch. Returns nothing if the diagonals do not meet inside the quad.
+/// corner, the projective map of a flat convex quad to that of its texture coordinates. Straight lines of the
+/// texture stay straight, unlike in the bilinear patch. All q are equal where an affine map does. Returns
+/// nothing if the diagonals do not meet inside the quad, or not inside that of its texture coordinates.
 std::optional<std::array<glm::dvec3, 4>> projectiveTexCoords(const TexturedQuad& quad);
 
 } // namespace osgPMObjects::core
