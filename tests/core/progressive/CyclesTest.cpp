@@ -2,7 +2,11 @@
 // tswap: new orders of faces as cycles.
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -12,9 +16,12 @@
 
 #include "DrawnFaces.h"
 #include "GreedyOrder.h"
+#include "PmCheckSums.h"
 #include "Random.h"
+#include "RecordPacking.h"
 #include "ScannedMeshes.h"
 #include "SlotCycles.h"
+#include "StepRecord.h"
 #include "TableForm.h"
 
 namespace
@@ -161,6 +168,124 @@ TEST(Tswap, ComesBackFromAFileAndFromEachOfItsPrefixes)
     ASSERT_TRUE(back) << back.error().message();
     EXPECT_EQ(back->records, progressive.records);
     EXPECT_EQ(back->mostSlotsMoved, progressive.mostSlotsMoved);
+}
+
+/// The bytes of a whole file without its vertices: they are the same for all orders.
+std::size_t bytesOfSteps(const ProgressiveMesh& progressive)
+{
+    return packedRecords(progressive,
+                         std::span(progressive.records).first(progressive.records.size() - kRecordPadding))
+        .size();
+}
+
+TEST(Tswap, TakesNoMoreBytesInFilesThanTheSameOrdersAsTables)
+{
+    std::vector<testsupport::ProgressiveSubject> subjects = testsupport::progressiveSubjects();
+    subjects.push_back({"scanned", testsupport::scannedBlob(12)});
+    for (const auto& subject : subjects)
+    {
+        const CollapseSequence sequence = simplify(subject.mesh);
+        for (const float step : {0.02f, 0.2f, 1.0f})
+        {
+            const ProgressiveMesh cycles = buildProgressiveMesh(
+                subject.mesh, sequence, {.arrangement = Arrangement::tswap, .tswapStep = step});
+            const std::size_t inFile = bytesOfSteps(cycles);
+            EXPECT_LE(inFile, bytesOfSteps(testsupport::TableForm(cycles).tables())) << subject.name;
+            EXPECT_LT(inFile + cycles.stepCount, cycles.records.size()) << subject.name; // without lengths
+        }
+    }
+}
+
+TEST(PackedRecords, AreUnpackedBitForBit)
+{
+    for (const auto& subject : testsupport::progressiveSubjects())
+    {
+        const CollapseSequence sequence = simplify(subject.mesh);
+        for (const Arrangement arrangement :
+             {Arrangement::plain, Arrangement::blocks, Arrangement::windows, Arrangement::tswap})
+        {
+            const ProgressiveMesh mesh =
+                buildProgressiveMesh(subject.mesh, sequence, {.arrangement = arrangement, .blockFaces = 64});
+            const std::span records = std::span(mesh.records).first(mesh.records.size() - kRecordPadding);
+            const std::string packed = packedRecords(mesh, records);
+            const auto unpacked = unpackedRecords(mesh, packed, mesh.stepCount);
+            ASSERT_TRUE(unpacked) << subject.name;
+            const auto* const wanted = reinterpret_cast<const char*>(records.data());
+            EXPECT_EQ(*unpacked, std::string(wanted, records.size())) << subject.name;
+            EXPECT_FALSE(unpackedRecords(mesh, packed, mesh.stepCount + 1));
+            ASSERT_GT(mesh.stepCount, 0u);
+            EXPECT_FALSE(unpackedRecords(mesh, packed, mesh.stepCount - 1));
+            for (std::size_t cut = 1; cut < packed.size(); cut += 1 + packed.size() / 50)
+                EXPECT_FALSE(unpackedRecords(mesh, packed.substr(0, packed.size() - cut), mesh.stepCount));
+        }
+    }
+}
+
+TEST(PackedRecords, OfAnyBytesAreReadWithinTheirEnd)
+{
+    const Mesh mesh = testsupport::waves(12, 12);
+    const ProgressiveMesh progressive =
+        buildProgressiveMesh(mesh, simplify(mesh), {.arrangement = Arrangement::tswap});
+    const std::string packed = packedRecords(
+        progressive, std::span(progressive.records).first(progressive.records.size() - kRecordPadding));
+    testsupport::Random random(7);
+    std::size_t told = 0;
+    constexpr std::size_t kTries = 5000;
+    for (std::size_t i = 0; i < kTries; ++i)
+    {
+        std::string damaged = packed;
+        for (std::uint32_t change = 0; change < 1 + i % 3; ++change)
+            damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] =
+                static_cast<char>(random.below(256));
+        // A copy of just its size, so that tools see a byte read behind it.
+        const std::vector<char> exact(damaged.begin(), damaged.end());
+        const auto records =
+            unpackedRecords(progressive, {exact.data(), exact.size()}, progressive.stepCount);
+        told += !records;
+        EXPECT_LT(records ? records->size() : 0, 64 * packed.size());
+    }
+    EXPECT_GT(told, kTries / 10);
+    ProgressiveMesh wrong = progressive;
+    wrong.slotBytes = 0;
+    EXPECT_FALSE(unpackedRecords(wrong, packed, progressive.stepCount));
+}
+
+/// Writes a number with the lowest byte first.
+std::string lowestFirst(std::uint64_t number)
+{
+    std::string bytes;
+    for (int i = 0; i < 8; ++i)
+        bytes += static_cast<char>(number >> (8 * i));
+    return bytes;
+}
+
+TEST(PmFile, OfVersion3IsReadAsItIs)
+{
+    const Mesh mesh = testsupport::waves(12, 12);
+    const ProgressiveMesh progressive =
+        buildProgressiveMesh(mesh, simplify(mesh), {.arrangement = Arrangement::tswap});
+    const std::string_view records(reinterpret_cast<const char*>(progressive.records.data()),
+                                   progressive.records.size() - kRecordPadding);
+    PmSettings settings;
+    settings.stepSections = 1; // one section has all records, at its end
+    std::string file = pmBytes(progressive, settings);
+    const std::string packed = packedRecords(
+        progressive, std::span(progressive.records).first(progressive.records.size() - kRecordPadding));
+    const std::string tail = lowestFirst(packed.size()) + packed;
+    const std::size_t section = file.find("STEP"), at = file.find(tail, section);
+    ASSERT_NE(at, file.npos);
+    file.replace(at, tail.size(), lowestFirst(records.size()) + std::string(records));
+    file.replace(section + 4, 8, lowestFirst(at + 8 + records.size() - section - 12));
+    file[8] = 3;
+    testsupport::renewCheckSums(file);
+    std::istringstream stream(file);
+    PmReader reader(stream, "old.pm");
+    for (auto more = reader.readMore(); more && *more; more = reader.readMore())
+        ;
+    const auto back = reader.mesh();
+    ASSERT_TRUE(back) << back.error().message();
+    EXPECT_EQ(back->records, progressive.records);
+    EXPECT_EQ(back->stepCount, progressive.stepCount);
 }
 
 TEST(Tswap, WithAWrongCycleIsNotValid)

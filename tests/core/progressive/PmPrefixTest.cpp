@@ -177,7 +177,7 @@ TEST(PmPrefix, VersionOneIsReadAsBefore)
     const auto old = readPm(OSGTRAINER_FUZZ_CORPUS "/waves.pm");
     ASSERT_TRUE(old) << old.error().message();
     const std::string again = pmBytes(*old);
-    EXPECT_EQ(again[8], 3);
+    EXPECT_EQ(again[8], 4);
     std::istringstream stream(again);
     PmReader reader(stream, "again.pm");
     auto more = reader.readMore();

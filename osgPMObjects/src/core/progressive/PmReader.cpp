@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include <osgPMObjects/core/progressive/PmFile.h>
 
 #include "PmSectionStream.h"
 #include "PmVertices.h"
 #include "ProgressiveMeshCheck.h"
+#include "RecordPacking.h"
 #include "StepRecord.h"
 
 namespace osgPMObjects::core
@@ -307,8 +312,12 @@ private:
         for (std::uint32_t i = 0; i < errors; ++i)
             piece.push_back(readError(in));
         const auto length = in.get<std::uint64_t>();
-        _records.emplace_back(in.take(length));
+        const std::string_view records = in.take(length);
         if (!in.isGood() || !in.isAtEnd()) return _stream.damaged("has steps of another length");
+        std::optional<std::string> unpacked(records);
+        if (_stream.version() > 3) unpacked = unpackedRecords(_mesh, records, _firstStep - first);
+        if (!unpacked) return _stream.damaged("has steps that cannot be");
+        _records.push_back(*std::move(unpacked));
         _firstStep = first;
         return true;
     }

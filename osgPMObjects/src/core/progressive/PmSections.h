@@ -17,8 +17,9 @@ namespace osgPMObjects::core
 /// bytes, its contents and a check sum (CRC-32) of all that. Numbers have their lowest byte first.
 /// docs/reference/pm-file.md describes the sections.
 constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // a transfer as text would change it
-/// Version 2 had no cycles in records; version 1 no images, and all positions of the coarsest level in BASE.
-constexpr std::uint32_t kPmVersion = 3;
+/// Versions 2 and 3 had the records as they are in memory, version 2 without cycles; version 1 no images, and
+/// all positions of the coarsest level in BASE.
+constexpr std::uint32_t kPmVersion = 4;
 
 /// A run of positions in BASE whose vertices follow later, instead of the count of a position's wedges: this
 /// bit, the wedges of each position, the number of positions.

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <foundation/WholeFile.h>
@@ -12,6 +13,7 @@
 
 #include "NeededPositions.h"
 #include "PmVertices.h"
+#include "RecordPacking.h"
 #include "StepRecord.h"
 
 namespace osgPMObjects::core
@@ -156,8 +158,9 @@ public:
         std::size_t begin = _recordsEnd;
         for (; _firstStep > first; --_firstStep)
             begin = static_cast<std::size_t>(beginOfRecordBefore(records + begin) - records);
-        out.put(static_cast<std::uint64_t>(_recordsEnd - begin));
-        out.append({reinterpret_cast<const char*>(records + begin), _recordsEnd - begin});
+        const std::string packed = packedRecords(_progressive, {records + begin, _recordsEnd - begin});
+        out.put(static_cast<std::uint64_t>(packed.size()));
+        out.append(packed);
         _recordsEnd = begin;
         return out;
     }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "SlotCycles.h"
+#include "CyclesRecord.h"
 
 namespace osgPMObjects::core
 {
@@ -99,30 +99,13 @@ void appendRewrite(RecordBytes& bytes, const Rearrangement& rewrite, std::span<c
     }
 }
 
-/// Appends 0, the block, its extent and by how much that shrinks, the cycle through the holes, then the
-/// number of other cycles and each of them: its length, and its slots from the first of the block on, in as
-/// many bytes as the extent needs.
+/// Appends the cycles of a change, whose slots count from the first of the block on.
 void appendCycles(RecordBytes& bytes, const Rearrangement& change, std::span<const SlotBlock> blocks)
 {
-    const std::uint32_t block = change.blocks.front(), extent = change.extents.front();
-    std::vector<std::uint32_t> sources = change.slots;
-    for (std::uint32_t& source : sources)
-        source -= blocks[block].first;
-    const SlotCycles cycles(sources, extent);
-    const auto append = [&](const std::vector<std::uint32_t>& cycle)
-    {
-        appendNumber(bytes, cycle.size());
-        for (const std::uint32_t slot : cycle)
-            appendFixed(bytes, slot, widthFor(extent));
-    };
-    appendNumber(bytes, 0);
-    appendNumber(bytes, block);
-    appendNumber(bytes, extent);
-    appendNumber(bytes, extent - sources.size());
-    append(cycles.throughHoles);
-    appendNumber(bytes, cycles.others.size());
-    for (const std::vector<std::uint32_t>& cycle : cycles.others)
-        append(cycle);
+    CycleSlots slots{change.blocks.front(), change.extents.front(), change.slots};
+    for (std::uint32_t& source : slots.sources)
+        source -= blocks[slots.block].first;
+    appendCycleSlots(bytes, slots);
 }
 
 void appendHead(RecordBytes& bytes, const StepRecord& step)
@@ -164,13 +147,6 @@ void appendLists(RecordBytes& bytes, const StepRecord& step, int slotWidth)
     append(step.vanished);
 }
 
-void appendLength(RecordBytes& bytes, std::size_t length)
-{
-    if (length <= 0xff) return appendFixed(bytes, length, 1);
-    appendFixed(bytes, length, 4);
-    appendFixed(bytes, 0, 1);
-}
-
 } // namespace
 
 void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
@@ -203,7 +179,7 @@ void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
         case RearrangementKind::cycles:
             appendCycles(bytes, rearrangement, blocks);
         }
-    appendLength(bytes, bytes.size() - begin);
+    appendLengthOfRecord(bytes, bytes.size() - begin);
 }
 
 } // namespace osgPMObjects::core
