@@ -180,6 +180,7 @@ void ScenePerformer::publish()
 {
     const std::vector<EntityState> before = std::move(_published);
     _published.clear();
+    _published.reserve(_actors.size());
     for (const Actor& actor : _actors)
         _published.push_back(actor.motion.state());
     leadGivenBack();

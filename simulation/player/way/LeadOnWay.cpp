@@ -9,6 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "simulation/player/EntityBox.h"
+
 namespace simulation
 {
 namespace
@@ -99,11 +101,14 @@ private:
     std::optional<double> alongAt(const glm::dvec2& place, std::size_t from, std::size_t to,
                                   double roomM) const
     {
-        constexpr double kUnderM = 0.5;
+        constexpr double kUnderM = 0.5, kRoundingM = 1e-6;
         double least = roomM, atM = -1e300;
         for (std::size_t i = from; i < to; ++i)
         {
             const glm::dvec2 a(_points[i].place), b(_points[i + 1].place);
+            // No part of a piece is nearer than its begin less its length; this spares most of the work.
+            const double reachM = least + _points[i + 1].alongM - _points[i].alongM + kRoundingM;
+            if (glm::dot(place - a, place - a) > reachM * reachM) continue;
             const double share = foundation::nearestShare(place, a, b);
             const double apart = glm::distance(place, a + share * (b - a));
             if (apart >= least) continue;
@@ -124,9 +129,7 @@ private:
 std::optional<LeadOnWay> leadOnWay(ActionScene& scene, int actor, const DrivenWay& way,
                                    const JunctionKeeper& keeper, double aheadM)
 {
-    const auto boxOf = [&](int entity) -> const BoundingBox&
-    { return scene.scenario().entities[static_cast<std::size_t>(entity)].box(); };
-    const BoundingBox& own = boxOf(actor);
+    const BoundingBox& own = boxOf(scene, actor);
     const WayStrip strip(way, own, way.alongM() + own.centre.x + 0.5 * own.lengthM, aheadM);
     std::optional<LeadOnWay> lead;
     const int count = static_cast<int>(scene.scenario().entities.size());
@@ -134,7 +137,7 @@ std::optional<LeadOnWay> leadOnWay(ActionScene& scene, int actor, const DrivenWa
     {
         if (i == actor || !scene.isPresent(i)) continue;
         const EntityState& other = scene.motion(i).state();
-        const BoundingBox& box = boxOf(i);
+        const BoundingBox& box = boxOf(scene, i);
         if (!strip.mayReach(other, box)) continue;
         auto found = strip.reach(other, box, keeper.isKept(i));
         if (!found || (lead && found->rearM >= lead->rearM)) continue;
