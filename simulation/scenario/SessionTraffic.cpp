@@ -12,8 +12,9 @@ namespace simulation
 namespace
 {
 
-/// Somebody who drives `share` of what is allowed. Figures of the intelligent driver model in towns: Treiber
-/// and Kesting, *Traffic Flow Dynamics*, 2013, table 11.2.
+/// Somebody who drives `share` of what is allowed, `headwayS` behind others: around the 1 s of the
+/// intelligent driver model (Treiber and Kesting, *Traffic Flow Dynamics*, 2013, table 11.2), so that a queue
+/// flows off at green as the *Highway Capacity Manual* has it. The rest is chosen.
 TrafficMix::Driver driver(double weight, const char* share, const char* headwayS)
 {
     Controller controller;
@@ -60,7 +61,7 @@ void addTraffic(Scenario& scenario, const std::string& around, const SessionTraf
     swarm.count = static_cast<int>(std::min<double>(most, SessionTraffic::kMostVehicles));
     swarm.perKm = traffic.perKm;
     swarm.mix.kinds = {kind(0.85, "car"), kind(0.15, "van")};
-    swarm.mix.drivers = {driver(0.3, "0.85", "1.8"), driver(0.5, "0.95", "1.5"), driver(0.2, "1.0", "1.2")};
+    swarm.mix.drivers = {driver(0.3, "0.85", "1.3"), driver(0.5, "0.95", "1.1"), driver(0.2, "1.0", "0.9")};
     TrafficAction action;
     action.name = "Traffic";
     action.content = std::move(swarm);
