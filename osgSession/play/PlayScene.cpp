@@ -8,8 +8,8 @@
 
 #include "scene/DriveWay.h"
 #include "scene/PlaceOnGround.h"
+#include "scene/RideRoads.h"
 #include "scene/SceneRoads.h"
-#include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
 #include "simulation/road/ScenarioRoads.h"
 #include "view/WatchedEntity.h"
@@ -42,12 +42,6 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     return terrain.setSettings(settings);
 }
 
-/// The roads of the scene in its own frame.
-std::shared_ptr<const simulation::RoadScene> roadsOf(const SceneTerrain& terrain)
-{
-    return std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*terrain.roads));
-}
-
 /// Whether two networks have roads of the same names and lengths.
 bool areAlike(const osgRoads::core::RoadNetwork& a, const osgRoads::core::RoadNetwork& b)
 {
@@ -66,10 +60,10 @@ roadsFor(const simulation::Scenario& scenario, const std::filesystem::path& fold
     std::error_code failed;
     if (areInScene &&
         std::filesystem::equivalent(simulation::roadsFile(scenario, folder), terrain.roadsFile, failed))
-        return roadsOf(terrain);
+        return roadSceneOf(terrain);
     auto roads = simulation::openRoads(scenario, folder);
     if (!roads || !*roads || !areInScene) return roads;
-    return areAlike((*roads)->network(), terrain.roads->network()) ? roadsOf(terrain) : roads;
+    return areAlike((*roads)->network(), terrain.roads->network()) ? roadSceneOf(terrain) : roads;
 }
 
 /// Adds what breaks the standard in the file of the roads that a play uses, where nothing has said it yet.

@@ -23,6 +23,7 @@
 #include "simulation/environment/CloudLayer.h"
 #include "simulation/road/WithoutRoads.h"
 #include "simulation/scenario/Environment.h"
+#include "simulation/scenario/TrafficSignals.h"
 #include "view/HudUnits.h"
 #include "view/OpeningClock.h"
 #include "view/Quality.h"
@@ -225,8 +226,9 @@ struct PlayRequest
     /// where that traffic drives, in the scene's frame; null: nowhere. The steps of the play are then those
     /// of a seat.
     std::shared_ptr<const simulation::RoadScene> trafficRoads{};
-    double longestS = 3600.0; ///< limit for a scenario that never ends
-    std::uint64_t seed = 0;   ///< of what the player leaves to chance
+    std::vector<simulation::TrafficSignalController> lights{}; ///< of the roads of a ride
+    double longestS = 3600.0;                                  ///< limit for a scenario that never ends
+    std::uint64_t seed = 0;                                    ///< of what the player leaves to chance
     simulation::WithoutRoads without = simulation::WithoutRoads::refused;
 };
 

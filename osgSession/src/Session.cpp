@@ -12,10 +12,9 @@
 #include "core/RideScenario.h"
 #include "play/PlaySession.h"
 #include "scene/DriveWay.h"
+#include "scene/RideRoads.h"
 #include "scene/ScenarioStage.h"
-#include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/scenario/VehicleFiles.h"
-#include "simulation/road/RoadScene.h"
 #include "simulation/scenario/SessionTraffic.h"
 #include "simulation/track/LayRecordings.h"
 
@@ -82,6 +81,7 @@ trainer::PlayRequest requestOf(const SessionSettings& settings)
 {
     trainer::PlayRequest request;
     request.scenario = settings.play.scenario;
+    request.trafficPerKm = settings.trafficPerKm;
     request.seed = settings.play.seed;
     if (settings.play.isWithoutRoads) request.without = simulation::WithoutRoads::played;
     request.terrain.file = settings.world;
@@ -196,6 +196,19 @@ foundation::Result<Staged> stageRide(const SessionSettings& settings, const trai
     return staged;
 }
 
+/// Traffic around a ride, and the lights of its roads.
+void addRoads(trainer::PlayRequest& request, Staged& staged)
+{
+    using simulation::SessionTraffic;
+    trainer::addRoads(request, staged.terrain);
+    staged.scenario.roadNetwork.signalControllers = request.lights;
+    if (!request.trafficRoads) return;
+    const bool flies = staged.scenario.entities.front().isAirborne();
+    simulation::addTraffic(
+        staged.scenario, core::kRideEntity,
+        {request.trafficPerKm, flies ? SessionTraffic::kAroundAircraftM : SessionTraffic::kAroundVehicleM});
+}
+
 } // namespace
 
 Session::Session(std::unique_ptr<Parts> parts) : _parts(std::move(parts)) {}
@@ -214,16 +227,7 @@ foundation::Result<std::unique_ptr<Session>> Session::open(const SessionSettings
     const bool isRide = settings.play.scenario.empty();
     auto staged = isRide ? stageRide(settings, request) : stageScenario(settings, request);
     if (!staged) return staged.error();
-    if (settings.trafficPerKm > 0.0 && staged->terrain.roads)
-    {
-        using simulation::SessionTraffic;
-        const bool flies = staged->scenario.entities.front().isAirborne();
-        simulation::addTraffic(staged->scenario, core::kRideEntity,
-                               {settings.trafficPerKm,
-                                flies ? SessionTraffic::kAroundAircraftM : SessionTraffic::kAroundVehicleM});
-        request.trafficRoads =
-            std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*staged->terrain.roads));
-    }
+    if (isRide) addRoads(request, *staged);
     core::PlaySettings play = settings.play;
     if (isRide) play.driven = {{core::kRideEntity, settings.vehicle}};
     auto parts = std::make_unique<core::Play::Parts>();

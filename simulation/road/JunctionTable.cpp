@@ -228,37 +228,48 @@ JunctionTable::Sign JunctionTable::signOf(const Shape& shape) const
     return sign;
 }
 
-bool JunctionTable::goesBefore(const JunctionLane& other, const JunctionLane& own)
+bool JunctionTable::goesBefore(const JunctionLane& other, const JunctionLane& own, bool byLights)
 {
+    auto& known = byLights ? _beforeByLights : _before;
     const auto key = std::make_pair(other, own);
-    if (const auto found = _before.find(key); found != _before.end()) return found->second;
-    const auto decide = [&]
-    {
-        constexpr double kFacingRad = 2.6, kAlongRad = 0.35, kTurnRad = 0.5;
-        const Shape &theirs = shapeOf(other), &mine = shapeOf(own);
-        if (theirs.bodies.empty() || mine.bodies.empty()) return false;
-        const Network& network = _roads->network();
-        const int junction = junctionOf(own.road);
-        if (junction >= 0 && theirs.incoming >= 0 && mine.incoming >= 0)
-            for (const auto& priority : network.junctions[static_cast<std::size_t>(junction)].priorities)
-            {
-                const auto is = [&](const std::string& id, const Shape& shape, const JunctionLane& lane)
-                { return id == roadOf(network, shape.incoming).id || id == roadOf(network, lane.road).id; };
-                if (is(priority.high, theirs, other) && is(priority.low, mine, own)) return true;
-                if (is(priority.high, mine, own) && is(priority.low, theirs, other)) return false;
-            }
-        const Sign theirSign = signOf(theirs), mySign = signOf(mine);
-        if (theirSign != mySign) return mySign == Sign::givesWay || theirSign == Sign::hasPriority;
-        if (theirs.isInRing != mine.isInRing) return theirs.isInRing;
-        const bool isLeftHand = roadOf(network, own.road).isLeftHandTraffic;
-        const double side = isLeftHand ? -1.0 : 1.0;
-        const double across =
-            side * foundation::wrappedRad(theirs.bodies.front().headingRad - mine.bodies.front().headingRad);
-        if (std::fabs(across) > kFacingRad)
-            return side * mine.turnRad > kTurnRad && side * theirs.turnRad <= kTurnRad;
-        return across > kAlongRad;
-    };
-    return _before.emplace(key, decide()).first->second;
+    if (const auto found = known.find(key); found != known.end()) return found->second;
+    return known.emplace(key, decide(other, own, byLights)).first->second;
+}
+
+bool JunctionTable::decide(const JunctionLane& other, const JunctionLane& own, bool byLights)
+{
+    constexpr double kFacingRad = 2.6, kAlongRad = 0.35, kTurnRad = 0.5;
+    const Shape &theirs = shapeOf(other), &mine = shapeOf(own);
+    if (theirs.bodies.empty() || mine.bodies.empty()) return false;
+    if (!byLights)
+        if (const auto ruled = byPriority(other, own)) return *ruled;
+    if (theirs.isInRing != mine.isInRing) return theirs.isInRing;
+    const bool isLeftHand = roadOf(_roads->network(), own.road).isLeftHandTraffic;
+    const double side = isLeftHand ? -1.0 : 1.0;
+    const double across =
+        side * foundation::wrappedRad(theirs.bodies.front().headingRad - mine.bodies.front().headingRad);
+    if (std::fabs(across) > kFacingRad)
+        return side * mine.turnRad > kTurnRad && side * theirs.turnRad <= kTurnRad;
+    return across > kAlongRad;
+}
+
+/// By priorities of the junction, then by signs; nothing: neither says who goes first.
+std::optional<bool> JunctionTable::byPriority(const JunctionLane& other, const JunctionLane& own)
+{
+    const Shape &theirs = shapeOf(other), &mine = shapeOf(own);
+    const Network& network = _roads->network();
+    const int junction = junctionOf(own.road);
+    if (junction >= 0 && theirs.incoming >= 0 && mine.incoming >= 0)
+        for (const auto& priority : network.junctions[static_cast<std::size_t>(junction)].priorities)
+        {
+            const auto is = [&](const std::string& id, const Shape& shape, const JunctionLane& lane)
+            { return id == roadOf(network, shape.incoming).id || id == roadOf(network, lane.road).id; };
+            if (is(priority.high, theirs, other) && is(priority.low, mine, own)) return true;
+            if (is(priority.high, mine, own) && is(priority.low, theirs, other)) return false;
+        }
+    const Sign theirSign = signOf(theirs), mySign = signOf(mine);
+    if (theirSign != mySign) return mySign == Sign::givesWay || theirSign == Sign::hasPriority;
+    return std::nullopt;
 }
 
 bool JunctionTable::leadsOn(const JunctionLane& lane)

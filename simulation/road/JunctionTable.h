@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,10 +49,14 @@ public:
     /// Null: both may be driven at once. So may two that begin in one lane, where one follows the other.
     const LaneConflict* conflict(const JunctionLane& own, const JunctionLane& other);
 
+    /// How far a lane turns, positive to the left. Radians.
+    double turnRad(const JunctionLane& lane) { return shapeOf(lane).turnRad; }
+
     /// Whether `other` goes before `own`: by priorities of the junction, by signs to give way, to stop or of
     /// a road with priority, by a roundabout's ring; of two that face each other whoever does not turn across
     /// the way of the other; else whoever comes from the right, from the left in left-hand traffic.
-    bool goesBefore(const JunctionLane& other, const JunctionLane& own);
+    /// `byLights`: traffic lights let both pass, so that neither signs nor priorities hold.
+    bool goesBefore(const JunctionLane& other, const JunctionLane& own, bool byLights = false);
 
     /// Whether a lane that is entered there leads to no end of the roads within a kilometre, on one way at
     /// least. Where all roads end, all do.
@@ -89,12 +94,14 @@ private:
     void findIncoming(const JunctionLane& lane, Shape& shape) const;
     bool isRing(int road, bool isForward) const;
     Sign signOf(const Shape& shape) const;
+    bool decide(const JunctionLane& other, const JunctionLane& own, bool byLights);
+    std::optional<bool> byPriority(const JunctionLane& other, const JunctionLane& own);
     void findEnds();
 
     const RoadScene* _roads;
     std::map<JunctionLane, Shape> _shapes;
     std::map<std::pair<JunctionLane, JunctionLane>, std::pair<bool, LaneConflict>> _conflicts;
-    std::map<std::pair<JunctionLane, JunctionLane>, bool> _before;
+    std::map<std::pair<JunctionLane, JunctionLane>, bool> _before, _beforeByLights;
     bool _hasEnds = false;
     std::map<JunctionLane, double> _endsAfterM; ///< of lanes that lead to ends alone
 };

@@ -2,6 +2,8 @@
 #include "simulation/road/StopSignals.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace simulation
 {
@@ -10,8 +12,6 @@ namespace
 
 using osgRoads::core::LaneValidity;
 using osgRoads::core::Signal;
-
-constexpr const char* kLights = "1000001";
 
 bool isStopSign(const Signal& signal)
 {
@@ -40,6 +40,12 @@ const Signal* signalOf(const osgRoads::core::RoadNetwork& network, const std::st
 
 } // namespace
 
+bool isTrafficLight(const Signal& signal)
+{
+    constexpr std::array<std::string_view, 5> kLights{"1000001", "1000009", "1000010", "1000011", "1000012"};
+    return std::find(kLights.begin(), kLights.end(), signal.type) != kLights.end();
+}
+
 std::vector<RoadStop> stopsBetween(const osgRoads::core::RoadNetwork& network, int road, int lane,
                                    double fromM, double toM)
 {
@@ -49,7 +55,7 @@ std::vector<RoadStop> stopsBetween(const osgRoads::core::RoadNetwork& network, i
     const auto add =
         [&](const Signal& signal, double sM, char orientation, const std::vector<LaneValidity>& validities)
     {
-        if (!isStopSign(signal) && signal.type != kLights) return;
+        if (!isStopSign(signal) && !isTrafficLight(signal)) return;
         if (sM < std::min(fromM, toM) || sM > std::max(fromM, toM)) return;
         if (!holdsFor(orientation, validities, lane, isForward)) return;
         stops.push_back({sM, isStopSign(signal) ? std::string() : signal.id});
@@ -70,6 +76,16 @@ bool hasStopSigns(const osgRoads::core::RoadNetwork& network)
     return std::any_of(network.roads.begin(), network.roads.end(),
                        [](const osgRoads::core::Road& road)
                        { return std::any_of(road.signals.begin(), road.signals.end(), isStopSign); });
+}
+
+bool isSwitchedOff(const std::string& state)
+{
+    return state == "off" || state == "off;off;off";
+}
+
+bool isAmber(const std::string& state)
+{
+    return state == "yellow" || state == "amber" || state == "caution" || state == "off;on;off";
 }
 
 bool letsPass(const std::string& state)

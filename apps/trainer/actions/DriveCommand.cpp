@@ -12,14 +12,13 @@
 #include "osgSession/src/core/RideScenario.h"
 #include "scene/DriveWay.h"
 #include "scene/RideAir.h"
+#include "scene/RideRoads.h"
 #include "scene/SceneTerrain.h"
-#include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/ControlSwitch.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/driver/ManualDriver.h"
 #include "simulation/control/scenario/VehicleFiles.h"
-#include "simulation/road/RoadScene.h"
 #include "simulation/scenario/SessionTraffic.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
@@ -121,6 +120,7 @@ public:
         simulation::Scenario scenario = osgSession::core::driveScenario(
             *_data, {_path.placeAt(startM), _path.headingRadAt(startM)}, _origin, _request.conditions);
         simulation::addTraffic(scenario, osgSession::core::kRideEntity, {_request.play.trafficPerKm});
+        scenario.roadNetwork.signalControllers = _request.play.lights;
         return Ride{std::move(scenario), osgSession::core::kRideEntity, std::move(motion), "drive", manual};
     }
 
@@ -162,10 +162,8 @@ foundation::Outcome drive(const DriveRequest& asked)
                                  "give less"};
     if (const auto told = tellInputs(request.inputs); !told) return told;
     request.conditions = inAirOf(*scene, request.conditions);
-    if (!request.play.output.motionFile.empty())
-        request.play.roadsUnder =
-            std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*scene->roads));
-    openTrafficRoads(request, *scene);
+    if (!request.play.output.motionFile.empty()) request.play.roadsUnder = roadSceneOf(*scene);
+    openRoads(request, *scene);
     DriveMaker maker(request, *data, *scene, *path);
     const auto motion = playRides(request, std::move(*scene), maker);
     if (!motion) return motion.error();

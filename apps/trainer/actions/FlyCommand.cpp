@@ -116,7 +116,7 @@ foundation::Outcome fly(const FlyRequest& asked)
     if (terrain->airfield && !request.wind.empty()) terrain->airfield->setWind(request.windMps());
     request.conditions = inAirOf(*terrain, request.conditions);
     const HeightTable heights{terrain->terrain, terrain->cornerM};
-    openTrafficRoads(request, *terrain);
+    openRoads(request, *terrain);
     FlightMaker maker(request, ground, terrain->origin(), terrain->obstacles);
     const auto motion = playRides(request, std::move(*terrain), maker);
     if (!motion) return motion.error();

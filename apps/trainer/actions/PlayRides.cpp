@@ -7,12 +7,11 @@
 
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
+#include "scene/RideRoads.h"
 #include "scene/SceneTerrain.h"
-#include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/ControlSwitch.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/player/ScenarioPlayer.h"
-#include "simulation/road/RoadScene.h"
 #include "window/WindowSession.h"
 
 namespace trainer
@@ -51,15 +50,10 @@ foundation::Outcome rideInPictures(const RideRequest& request, SceneTerrain terr
 
 } // namespace
 
-void openTrafficRoads(RideRequest& request, const SceneTerrain& terrain)
+void openRoads(RideRequest& request, const SceneTerrain& terrain)
 {
-    if (!(request.play.trafficPerKm > 0.0)) return;
-    if (terrain.roads)
-    {
-        request.play.trafficRoads =
-            std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*terrain.roads));
-        return;
-    }
+    addRoads(request.play, terrain);
+    if (terrain.roads || !(request.play.trafficPerKm > 0.0)) return;
     std::printf("note: there are no roads in this world, so there is no traffic\n");
     request.play.trafficPerKm = 0.0;
 }

@@ -13,9 +13,9 @@ namespace trainer
 
 struct SceneTerrain;
 
-/// Opens the roads for the traffic of a ride, before it is made. Where the world has none, that is told, and
-/// there is no traffic.
-void openTrafficRoads(RideRequest& request, const SceneTerrain& terrain);
+/// Opens the roads of a ride, before it is made, for its traffic and their lights. Where the world has none,
+/// and traffic is wanted, that is told, and there is no traffic.
+void openRoads(RideRequest& request, const SceneTerrain& terrain);
 
 /// Plays rides: in a window, with pictures, or at 120 steps a second without. Writes the files of the
 /// request, and returns the motion of the last one. Errors: as playScene(), playOut() and WindowSession.

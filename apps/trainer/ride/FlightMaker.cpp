@@ -136,6 +136,7 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     simulation::Scenario scenario = osgSession::core::flightScenario(begin, _origin, _request.conditions);
     simulation::addTraffic(scenario, osgSession::core::kRideEntity,
                            {_request.play.trafficPerKm, simulation::SessionTraffic::kAroundAircraftM});
+    scenario.roadNetwork.signalControllers = _request.play.lights;
     return Ride{std::move(scenario), osgSession::core::kRideEntity, std::move(motion), "flight", manual};
 }
 

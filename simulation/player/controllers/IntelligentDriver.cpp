@@ -20,8 +20,8 @@ namespace
 /// a·(1 − (v / v0)⁴ − (s* / s)²), s* = s0 + v·T + v·Δv / (2·√(a·b)).
 /// Properties (esmini's NaturalDriver has the first three): desiredSpeed v0, desiredDistance s0, desiredTHW
 /// T, maxAcc a, comfortDec b. With keepsRules it drives as fast as limits and bends allow (desiredSpeed is
-/// the most, limitShare what it drives of the limits), sees all that is on its way, and gives way at
-/// junctions unless givesWay is false.
+/// the most, limitShare what it drives of the limits), sees all that is on its way, heeds lights and signs,
+/// and gives way at junctions unless givesWay is false.
 class IntelligentDriver final : public SpeedController
 {
 public:
@@ -54,15 +54,15 @@ public:
             if (advice->lead) crowd = crowdedBy(advice->lead->gapM, advice->lead->speedMps);
             if (advice->lineM)
                 crowd = std::max(crowd, crowdedBy(*advice->lineM + _distanceM - kBeforeJunctionM, 0.0));
+            if (advice->lightM) crowd = std::max(crowd, crowdedBy(*advice->lightM + _distanceM, 0.0));
         }
         else if (const auto lead = leadVehicleOf(scene, actor, kLookAheadM, kLateralM))
             crowd = crowdedBy(lead->gapM, scene.motion(lead->entity).state().speedMps);
         // A line to stop at is as one that stands with its back at the line.
-        if (const auto gapM = lineAhead(scene, actor))
+        if (const auto gapM = advice ? signAhead(scene, actor, advice->signM) : lineAhead(scene, actor))
             crowd = std::max(crowd, crowdedBy(*gapM + _distanceM - kBeforeLineM, 0.0));
         acceleration -= crowd;
-        Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
-        limits.maxDecelerationMps2 *= scene.grip();
+        const Performance limits = limitsOf(scene, actor);
         _speedMps += scene.stepS() * std::clamp(_accelerationMps2 * acceleration, -limits.maxDecelerationMps2,
                                                 limits.maxAccelerationMps2);
         _speedMps = std::max(0.0, _speedMps);
@@ -74,6 +74,8 @@ public:
 
 private:
     static constexpr double kAnyMps = 100.0; ///< whatever is allowed
+    /// of the comfortable deceleration, to stop at a line that comes late
+    static constexpr double kBrakes = 2.0;
 
     /// Nothing: it does not keep the rules, or is on no road.
     std::optional<WayAdvice> rulesAhead(ActionScene& scene, int actor)
@@ -83,23 +85,45 @@ private:
         return _way->look(scene, _speedMps);
     }
 
-    /// The gap to the next line at which it has to stop. At a sign it stands for a while, and then goes on.
+    static Performance limitsOf(const ActionScene& scene, int actor)
+    {
+        Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
+        limits.maxDecelerationMps2 *= scene.grip();
+        return limits;
+    }
+
+    /// The gap to the next stop sign, unless it has stood there; of one that keeps the rules.
+    std::optional<double> signAhead(ActionScene& scene, int actor, std::optional<double> gapM)
+    {
+        constexpr double kSameSignM = 3.0;
+        if (!gapM) return std::nullopt;
+        const double atM = scene.motion(actor).state().odometerM + *gapM;
+        if (_servedSignM && std::fabs(atM - *_servedSignM) < kSameSignM) return std::nullopt;
+        if (_speedMps > 1.0 && _speedMps * _speedMps > 2.0 * kBrakes * _decelerationMps2 * *gapM)
+            return std::nullopt;
+        return stand(scene, actor, *gapM);
+    }
+
+    /// At a sign it stands for a while, and then goes on.
+    std::optional<double> stand(ActionScene& scene, int actor, double gapM)
+    {
+        constexpr double kStandingMps = 0.2, kAtLineM = 3.0, kLookS = 1.5;
+        if (_speedMps >= kStandingMps || gapM >= kAtLineM) return gapM;
+        _waitedS += scene.stepS();
+        if (_waitedS < kLookS) return gapM;
+        _waitedS = 0.0;
+        _servedSignM = scene.motion(actor).state().odometerM + gapM;
+        return std::nullopt;
+    }
+
+    /// The gap to the next line at which it has to stop.
     std::optional<double> lineAhead(ActionScene& scene, int actor)
     {
-        constexpr double kLineM = 100.0, kStandingMps = 0.2, kAtLineM = 3.0, kLookS = 1.5;
-        constexpr double kBrakes = 2.0; ///< of the comfortable deceleration, to stop at a light that turns
+        constexpr double kLineM = 100.0;
         if (!mayHaveToStop(scene)) return std::nullopt;
         const auto stop = stopAhead(scene, actor, {kLineM, kBrakes * _decelerationMps2, _servedSignM});
         if (!stop) return std::nullopt;
-        if (stop->isSign && _speedMps < kStandingMps && stop->gapM < kAtLineM)
-        {
-            _waitedS += scene.stepS();
-            if (_waitedS < kLookS) return stop->gapM;
-            _waitedS = 0.0;
-            _servedSignM = scene.motion(actor).state().odometerM + stop->gapM;
-            return std::nullopt;
-        }
-        return stop->gapM;
+        return stop->isSign ? stand(scene, actor, stop->gapM) : std::optional(stop->gapM);
     }
 
     bool mayHaveToStop(const ActionScene& scene)

@@ -10,6 +10,7 @@
 
 #include "simulation/road/RoadWalk.h"
 #include "simulation/road/SpeedLimit.h"
+#include "simulation/road/StopSignals.h"
 
 namespace simulation
 {
@@ -57,6 +58,7 @@ void DrivenWay::begin(EntityMotion& motion)
     const RoadPlace& place = *motion.state().place;
     _points.clear();
     _crossings.clear();
+    _lines.clear();
     _hasEnded = false;
     _at = 0;
     _tailRoad = 0;
@@ -105,6 +107,7 @@ void DrivenWay::forget()
     _points.erase(_points.begin(), _points.begin() + static_cast<std::ptrdiff_t>(old));
     _at -= old;
     std::erase_if(_crossings, [&](const Crossing& crossing) { return crossing.toM < _alongM - kWayBehindM; });
+    std::erase_if(_lines, [&](const Line& line) { return line.alongM < _alongM - kWayBehindM; });
 }
 
 void DrivenWay::lookAhead(EntityMotion& motion)
@@ -122,6 +125,7 @@ void DrivenWay::lookAhead(EntityMotion& motion)
             return;
         }
         add(_tail);
+        addLines(before);
         if (before.road == _tail.road && looksForward(before) == looksForward(_tail)) continue;
         const double alongM = _points.back().alongM;
         const double borderM =
@@ -190,6 +194,40 @@ void DrivenWay::add(const RoadPlace& place)
         point.alongM =
             _points.back().alongM + glm::distance(glm::dvec2(point.place), glm::dvec2(_points.back().place));
     _points.push_back(point);
+}
+
+/// The lines between the last point and the one before it.
+void DrivenWay::addLines(const RoadPlace& before)
+{
+    const double alongM = _points[_points.size() - 2].alongM;
+    const RoadScene& roads = _table->roads();
+    if (before.road == _tail.road && looksForward(before) == looksForward(_tail))
+    {
+        addLinesOn(before, before.s, _tail.s, alongM);
+        return;
+    }
+    const double endM = looksForward(before) ? roads.roadAt(before).length : 0.0;
+    addLinesOn(before, before.s, endM, alongM);
+    const double startM = looksForward(_tail) ? 0.0 : roads.roadAt(_tail).length;
+    addLinesOn(_tail, startM, _tail.s, alongM + std::fabs(endM - before.s));
+}
+
+void DrivenWay::addLinesOn(const RoadPlace& place, double fromM, double toM, double alongM)
+{
+    constexpr double kSameM = 0.1;
+    const osgRoads::core::Road& road = _table->roads().roadAt(place);
+    if (road.signals.empty() && road.signalReferences.empty()) return;
+    for (const RoadStop& stop : stopsBetween(_table->roads().network(), place.road, place.lane, fromM, toM))
+    {
+        const Line line{alongM + std::fabs(stop.sM - fromM), stop.signal};
+        // One at a point of the way is between that and both of its neighbours.
+        const bool isKnown = std::any_of(_lines.begin(), _lines.end(),
+                                         [&](const Line& known) {
+                                             return known.light == line.light &&
+                                                    std::fabs(known.alongM - line.alongM) < kSameM;
+                                         });
+        if (!isKnown) _lines.push_back(line);
+    }
 }
 
 void DrivenWay::findLimits()

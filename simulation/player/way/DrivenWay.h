@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -37,6 +38,13 @@ public:
         double fromM = 0.0, toM = 0.0; ///< `toM` behind all points: not known yet
     };
 
+    /// A stop sign or a traffic light that holds for the way.
+    struct Line
+    {
+        double alongM = 0.0;
+        std::string light; ///< its id; empty: a sign
+    };
+
     /// `draw`: which roads it takes; nothing: those of the entity's own way, else the straightest. `table`
     /// must outlive it.
     DrivenWay(JunctionTable& table, std::optional<RandomDraw> draw) : _table(&table), _draw(std::move(draw))
@@ -51,6 +59,7 @@ public:
     double alongM() const { return _alongM; }
     double allowedMps() const;
     const std::vector<Crossing>& crossings() const { return _crossings; } ///< ahead, under it and just behind
+    const std::vector<Line>& lines() const { return _lines; } ///< the same, in the order of the way
 
 private:
     void begin(EntityMotion& motion);
@@ -59,6 +68,8 @@ private:
     void lookAhead(EntityMotion& motion);
     void choose(EntityMotion& motion);
     void add(const RoadPlace& place);
+    void addLines(const RoadPlace& before);
+    void addLinesOn(const RoadPlace& place, double fromM, double toM, double alongM);
     void findLimits();
 
     JunctionTable* _table;
@@ -69,6 +80,7 @@ private:
     bool _hasEnded = false; ///< at the end of the last road
     std::vector<Point> _points;
     std::vector<Crossing> _crossings;
+    std::vector<Line> _lines;
     std::size_t _at = 0;
     double _alongM = 0.0;
 };

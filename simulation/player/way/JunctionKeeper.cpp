@@ -38,10 +38,15 @@ bool JunctionKeeper::isInTheWay(const JunctionApproach& own, const JunctionClaim
     const LaneConflict* const conflict = _table.conflict(claim.lane, theirs.lane);
     if (!conflict) return false;
     if (theirs.isHeld) return theirs.rearM < conflict->otherToM;
+    if (theirs.isBehindRed) return false;
     const bool waitsLong = other.standsS > kPatienceS && theirs.frontM > -kAtLineM && other.hasRoomBehind;
     if (own.standsS > kPatienceS && (!waitsLong || own.standsS >= other.standsS)) return false;
     if (waitsLong) return true;
-    if (other.standsS > kStandsS || !_table.goesBefore(theirs.lane, claim.lane)) return false;
+    // Who has no light gives way to those who have one.
+    const bool goesBefore = claim.isAtLight == theirs.isAtLight
+                                ? _table.goesBefore(theirs.lane, claim.lane, claim.isAtLight)
+                                : theirs.isAtLight;
+    if (other.standsS > kStandsS || !goesBefore) return false;
     const double theirS =
         (conflict->otherFromM - theirs.frontM + kAxleM) / std::max(other.speedMps + 1.0, 2.0);
     return theirS < secondsFor(conflict->ownToM - claim.rearM, own.speedMps) + kMarginS;

@@ -16,6 +16,8 @@ struct JunctionClaim
     double fromM = 0.0;               ///< where the lane begins, along the vehicle's way
     double frontM = 0.0, rearM = 0.0; ///< of the vehicle, from there; negative: before it
     bool isHeld = false;              ///< it drives, or has been let in
+    bool isAtLight = false;           ///< a traffic light that is on stands before it
+    bool isBehindRed = false;         ///< and it has to stop there, or at an earlier one
 };
 
 /// A vehicle on its way to junctions, as others know it. Units: metres, m/s, seconds.

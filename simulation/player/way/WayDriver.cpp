@@ -9,6 +9,9 @@
 #include <foundation/Angle.h>
 #include <glm/geometric.hpp>
 
+#include "simulation/player/EntityBox.h"
+#include "simulation/road/StopSignals.h"
+
 namespace simulation
 {
 namespace
@@ -16,13 +19,17 @@ namespace
 
 constexpr double kClaimSeenM = 90.0; ///< before a junction others know of it
 constexpr double kToLineMps2 = 1.5, kGiveBackMps2 = 4.0;
-constexpr double kRoomBehindM = 3.0; ///< to whoever stands behind a junction
-constexpr double kWayLookM = 100.0;  ///< at most; else to stop in, and more
+constexpr double kRoomBehindM = 3.0;     ///< to whoever stands behind a junction
+constexpr double kBeforeJunctionM = 3.0; ///< others swing out as they turn
+constexpr double kOfJunctionM = 3.0;     ///< behind where a junction begins, lines still count as before it
+constexpr double kWayLookM = 100.0;      ///< at most; else to stop in, and more
 constexpr double kWayLeastM = 20.0, kWayLookS = 2.0;
 
-const BoundingBox& wayBoxOf(const ActionScene& scene, int entity)
+/// The state of a traffic light; null: nobody has switched it.
+const std::string* lightState(const ActionScene& scene, const DrivenWay::Line& line)
 {
-    return scene.scenario().entities[static_cast<std::size_t>(entity)].box();
+    const auto found = scene.signalStates().find(line.light);
+    return line.light.empty() || found == scene.signalStates().end() ? nullptr : &found->second;
 }
 
 } // namespace
@@ -49,6 +56,7 @@ std::optional<WayAdvice> WayDriver::look(ActionScene& scene, double speedMps)
     advice.allowedMps = _way.allowedMps();
     const double aheadM = kWayLeastM + kWayLookS * speedMps + speedMps * speedMps / (2.0 * kToLineMps2);
     advice.lead = leadOnWay(scene, _actor, _way, *_keeper, std::min(aheadM, kWayLookM));
+    lookAtLines(scene, advice);
     if (!_givesWay) return advice;
     giveBack(advice.lead);
     advice.lineM = ask(scene, advice.lead);
@@ -59,7 +67,7 @@ std::optional<WayAdvice> WayDriver::look(ActionScene& scene, double speedMps)
 void WayDriver::measure(ActionScene& scene, double speedMps)
 {
     constexpr double kStandsMps = 0.3;
-    const BoundingBox& box = wayBoxOf(scene, _actor);
+    const BoundingBox& box = boxOf(scene, _actor);
     _frontM = _way.alongM() + box.centre.x + 0.5 * box.lengthM;
     JunctionApproach& own = _keeper->of(_actor);
     own.lengthM = box.lengthM;
@@ -77,6 +85,73 @@ void WayDriver::measure(ActionScene& scene, double speedMps)
         claims.push_back(claim);
     }
     own.claims = std::move(claims);
+}
+
+/// What stands before it: the next sign, and the first light at which it has to stop.
+void WayDriver::lookAtLines(const ActionScene& scene, WayAdvice& advice)
+{
+    constexpr double kBeforeLineM = 1.0;
+    constexpr double kAmberMps2 = 4.0, kRedMps2 = 8.0, kCreepsMps = 1.0; ///< of one who stops at a light
+    const double speedMps = _keeper->of(_actor).speedMps;
+    std::optional<double> redAtM;
+    for (const DrivenWay::Line& line : _way.lines())
+    {
+        const double gapM = line.alongM - _frontM;
+        if (gapM < 0.0) continue;
+        if (line.light.empty() && !advice.signM) advice.signM = gapM;
+        const std::string* const state = lightState(scene, line);
+        if (!state || letsPass(*state) || redAtM) continue;
+        const double brakesMps2 = isAmber(*state) ? kAmberMps2 : kRedMps2;
+        if (speedMps > kCreepsMps && speedMps * speedMps > 2.0 * brakesMps2 * gapM) continue;
+        if (goesOnAmber(scene, line, *state)) continue;
+        redAtM = line.alongM;
+        advice.lightM = gapM - kBeforeLineM;
+        for (const DrivenWay::Crossing& crossing : _way.crossings())
+            if (crossing.fromM > line.alongM - kOfJunctionM)
+                advice.lightM = std::min(*advice.lightM, crossing.fromM - kBeforeJunctionM - _frontM);
+    }
+    markLights(scene, redAtM);
+}
+
+/// Who has waited at the line on green, as those do who turn across the way of others, goes on amber, where it
+/// is over the line before red.
+bool WayDriver::goesOnAmber(const ActionScene& scene, const DrivenWay::Line& line, const std::string& state)
+{
+    constexpr double kAtLineM = 2.5, kWaitedS = 2.0, kBeginsS = 0.7, kGoesMps = 1.0;
+    const JunctionApproach& own = _keeper->of(_actor);
+    if (line.alongM - _frontM > kAtLineM) return false;
+    if (!isAmber(state))
+    {
+        _amber.reset();
+        return false;
+    }
+    if (!_amber || _amber->lineM != line.alongM)
+        _amber = Amber{line.alongM, scene.timeS(), own.standsS > kWaitedS};
+    return _amber->hasWaited && (scene.timeS() - _amber->sinceS < kBeginsS || own.speedMps > kGoesMps);
+}
+
+/// Tells others at junctions what lights say of it. Who stands at a light waits for nobody.
+void WayDriver::markLights(const ActionScene& scene, std::optional<double> redAtM)
+{
+    JunctionApproach& own = _keeper->of(_actor);
+    for (JunctionClaim& claim : own.claims)
+    {
+        claim.isBehindRed = claim.frontM < 0.5 && redAtM && *redAtM < claim.fromM + kOfJunctionM;
+        if (claim.isBehindRed)
+        {
+            claim.isHeld = false;
+            own.standsS = 0.0;
+        }
+        double fromM = -1e300; // where the junction before it ends
+        for (const DrivenWay::Crossing& crossing : _way.crossings())
+            if (crossing.fromM < claim.fromM) fromM = crossing.toM - kOfJunctionM;
+        for (const DrivenWay::Line& line : _way.lines())
+        {
+            if (line.alongM < fromM || line.alongM > claim.fromM + kOfJunctionM) continue;
+            const std::string* const state = lightState(scene, line);
+            claim.isAtLight = claim.isAtLight || (state && !isSwitchedOff(*state));
+        }
+    }
 }
 
 double WayDriver::endOf(std::size_t claim) const
@@ -121,7 +196,7 @@ std::optional<double> WayDriver::ask(ActionScene& scene, const std::optional<Lea
     std::size_t first = 0;
     while (first < own.claims.size() && own.claims[first].isHeld)
         ++first;
-    if (first == own.claims.size()) return std::nullopt;
+    if (first == own.claims.size() || own.claims[first].isBehindRed) return std::nullopt;
     const double lineM = -own.claims[first].frontM;
     if (lineM > own.speedMps * own.speedMps / (2.0 * kToLineMps2) + kDecidesM) return std::nullopt;
     const std::size_t end = chainFrom(first);
@@ -163,7 +238,7 @@ bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size
         const bool followsIt = glm::dot(apart, ahead) < 0.0 && glm::dot(velocity, ahead) >= 0.0;
         const bool leadsIt = lead && lead->entity == i && lead->speedMps > 1.0;
         if (followsIt || leadsIt) continue;
-        const BoundingBox& box = wayBoxOf(scene, i);
+        const BoundingBox& box = boxOf(scene, i);
         const glm::dvec2 middle = glm::dvec2(other.position + other.bodyToLocal() * box.centre);
         for (double laterS = 0.0; laterS <= passesS; laterS += kLookS)
             for (const DrivenWay::Point& point : _way.points())

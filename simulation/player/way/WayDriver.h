@@ -17,10 +17,13 @@ struct WayAdvice
 {
     double allowedMps = 0.0; ///< by limits and bends, here and ahead
     std::optional<LeadOnWay> lead;
-    std::optional<double> lineM; ///< from the front to the junction before which it has to stop
+    std::optional<double> lineM;  ///< from the front to the junction before which it has to stop
+    std::optional<double> lightM; ///< to where it has to stop before a traffic light
+    std::optional<double> signM;  ///< to the next stop sign
 };
 
-/// The eyes of a driver who keeps the rules: it knows its way, sees who is on it, and asks at junctions.
+/// The eyes of a driver who keeps the rules: it knows its way, sees who is on it, heeds lights, and asks at
+/// junctions.
 /// Nobody is let in who could not leave the junction again.
 class WayDriver
 {
@@ -35,7 +38,17 @@ public:
     std::optional<WayAdvice> look(ActionScene& scene, double speedMps);
 
 private:
+    /// The light at whose line it is, while that is amber.
+    struct Amber
+    {
+        double lineM = 0.0, sinceS = 0.0;
+        bool hasWaited = false; ///< there, on green
+    };
+
     void measure(ActionScene& scene, double speedMps);
+    void lookAtLines(const ActionScene& scene, WayAdvice& advice);
+    bool goesOnAmber(const ActionScene& scene, const DrivenWay::Line& line, const std::string& state);
+    void markLights(const ActionScene& scene, std::optional<double> redAtM);
     void giveBack(const std::optional<LeadOnWay>& lead);
     std::optional<double> ask(ActionScene& scene, const std::optional<LeadOnWay>& lead);
     std::size_t chainFrom(std::size_t first) const;
@@ -49,6 +62,7 @@ private:
     bool _givesWay;
     DrivenWay _way;
     double _frontM = 0.0; ///< along the way
+    std::optional<Amber> _amber;
 };
 
 } // namespace simulation
