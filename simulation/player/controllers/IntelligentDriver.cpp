@@ -21,7 +21,8 @@ namespace
 /// Properties (esmini's NaturalDriver has the first three): desiredSpeed v0, desiredDistance s0, desiredTHW
 /// T, maxAcc a, comfortDec b. With keepsRules it drives as fast as limits and bends allow (desiredSpeed is
 /// the most, limitShare what it drives of the limits), sees all that is on its way, heeds lights and signs,
-/// and gives way at junctions unless givesWay is false.
+/// and gives way at junctions unless givesWay is false. Such a one that has touched somebody who does not
+/// keep the rules, as a person, brakes hard and stays where it is.
 class IntelligentDriver final : public SpeedController
 {
 public:
@@ -44,6 +45,7 @@ public:
         constexpr double kLookAheadM = 200.0, kLateralM = 5.0, kBeforeLineM = 1.0;
         constexpr double kBeforeJunctionM = 3.0; ///< others swing out as they turn
         const auto advice = rulesAhead(scene, actor);
+        if (advice && hasTouched(scene, actor)) return _speedMps = brakedHard(scene, actor);
         const double wantedMps =
             advice ? std::min(_desiredMps, _limitShare * advice->allowedMps) : _desiredMps;
         const double share = wantedMps > 0.0 ? _speedMps / wantedMps : 1.0;
@@ -90,6 +92,21 @@ private:
         Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
         limits.maxDecelerationMps2 *= scene.grip();
         return limits;
+    }
+
+    /// Whether it is, or has been, in an accident with a stranger.
+    bool hasTouched(ActionScene& scene, int actor)
+    {
+        if (_hasTouched) return true;
+        const Traffic seen = scene.trafficOf(actor);
+        for (const int other : seen.entities[static_cast<std::size_t>(actor)].collidesWith)
+            _hasTouched = _hasTouched || !scene.junctions()->isKept(other);
+        return _hasTouched;
+    }
+
+    double brakedHard(const ActionScene& scene, int actor) const
+    {
+        return std::max(0.0, _speedMps - scene.stepS() * limitsOf(scene, actor).maxDecelerationMps2);
     }
 
     /// The gap to the next stop sign, unless it has stood there; of one that keeps the rules.
@@ -142,6 +159,7 @@ private:
     double _desiredMps, _distanceM, _headwayS, _accelerationMps2, _decelerationMps2;
     double _limitShare;
     bool _keepsRules, _givesWay;
+    bool _hasTouched = false;        ///< a stranger
     std::unique_ptr<WayDriver> _way; ///< of one that keeps the rules, once it has looked
     double _waitedS = 0.0;           ///< at the sign ahead
     std::optional<double> _servedSignM;
