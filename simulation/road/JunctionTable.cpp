@@ -228,6 +228,13 @@ JunctionTable::Sign JunctionTable::signOf(const Shape& shape) const
     return sign;
 }
 
+bool JunctionTable::staysInRing(const JunctionLane& lane)
+{
+    const Shape& shape = shapeOf(lane);
+    const double inside = roadOf(_roads->network(), lane.road).isLeftHandTraffic ? -1.0 : 1.0;
+    return shape.isInRing && inside * shape.turnRad >= 0.0;
+}
+
 bool JunctionTable::goesBefore(const JunctionLane& other, const JunctionLane& own, bool byLights)
 {
     auto& known = byLights ? _beforeByLights : _before;

@@ -52,6 +52,9 @@ public:
     /// How far a lane turns, positive to the left. Radians.
     double turnRad(const JunctionLane& lane) { return shapeOf(lane).turnRad; }
 
+    /// Whether a lane leads on around a roundabout.
+    bool staysInRing(const JunctionLane& lane);
+
     /// Whether `other` goes before `own`: by priorities of the junction, by signs to give way, to stop or of
     /// a road with priority, by a roundabout's ring; of two that face each other whoever does not turn across
     /// the way of the other; else whoever comes from the right, from the left in left-hand traffic.

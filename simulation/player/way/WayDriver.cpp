@@ -216,6 +216,9 @@ bool WayDriver::hasRoomBehind(std::size_t first, std::size_t end, const std::opt
     if (!lead) return true;
     const JunctionApproach& own = _keeper->of(_actor);
     if (lead->rearM < own.claims[first].fromM + 1.0) return lead->speedMps > kGoesMps;
+    // A ring goes on when all in it go on; whoever comes into it needs the room.
+    JunctionTable& table = _keeper->table();
+    if (table.staysInRing(own.claims[first].lane) && table.staysInRing(own.claims[end - 1].lane)) return true;
     return lead->speedMps > kGoesMps || lead->rearM > endOf(end - 1) + own.lengthM + kRoomBehindM;
 }
 
