@@ -12,9 +12,9 @@ struct QualifyLightRequest
     std::filesystem::path jsonFile; ///< empty: none
 };
 
-/// Measures air, sky, lamps and clouds as they are drawn, against laws and oracles; prints a line for each
-/// figure and for each goal that has none, writes them as JSON, and returns the exit code of the program:
-/// terminal::kFailed after an error (no offscreen context) and when a figure fails.
+/// Becomes the program `qualify_light` beside this one, which measures light, prints and writes its figures,
+/// and ends with terminal::kFailed after an error and when a figure fails; so the trainer links nothing that
+/// measures. Returns, with the exit code, only when that program is not there.
 int qualifyLight(const QualifyLightRequest& request);
 
 } // namespace trainer

@@ -113,8 +113,8 @@ void WayDriver::lookAtLines(const ActionScene& scene, WayAdvice& advice)
     markLights(scene, redAtM);
 }
 
-/// Who has waited at the line on green, as those do who turn across the way of others, goes on amber, where it
-/// is over the line before red.
+/// Who has waited at the line on green, as those do who turn across the way of others, goes on amber, where
+/// it is over the line before red.
 bool WayDriver::goesOnAmber(const ActionScene& scene, const DrivenWay::Line& line, const std::string& state)
 {
     constexpr double kAtLineM = 2.5, kWaitedS = 2.0, kBeginsS = 0.7, kGoesMps = 1.0;
