@@ -3,14 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <osg/Geode>
 #include <osg/Group>
 #include <osgSky/Atmosphere>
 
 #include <osgOffscreen/OffscreenViewer>
 
-#include "scenery/nodes/ModelMesh.h"
-#include "scenery/nodes/ObjectShading.h"
+#include "measurement/light/view/GreyBox.h"
 #include "scenery/nodes/Pose.h"
 #include "scenery/nodes/Sky.h"
 
@@ -25,12 +23,7 @@ struct ViewScene
     {
         root->setStateSet(atmosphere->stateSet());
         root->addChild(scenery::makeSky());
-        scenery::ModelMesh slab;
-        slab.addBox({-1.5e5F, -1.5e5F, -1.0F}, {1.5e5F, 1.5e5F, 0.0F}, {0.5F, 0.5F, 0.5F, 1.0F});
-        const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
-        ground->addDrawable(slab.geometry());
-        scenery::setObjectShading(*ground, scenery::Finish::matt);
-        root->addChild(ground);
+        root->addChild(measurement::greyPlain());
     }
 
     osg::ref_ptr<osgSky::Atmosphere> atmosphere;

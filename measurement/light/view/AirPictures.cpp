@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measurement/light/view/AirPictures.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
-#include <osg/Geode>
 #include <osg/Math>
 #include <osg/Uniform>
 
@@ -18,8 +16,8 @@
 #include <osgTerrainROAM/RoamTerrain>
 #include <osgTerrainROAM/TerrainMaterial>
 
-#include "scenery/nodes/ModelMesh.h"
-#include "scenery/nodes/ObjectShading.h"
+#include "measurement/light/view/GreyBox.h"
+#include "measurement/light/view/ShownLight.h"
 #include "scenery/nodes/RoadShading.h"
 
 namespace measurement
@@ -32,23 +30,6 @@ constexpr int kAirWidePx = 32, kAirHighPx = 18;
 constexpr float kExposure = 0.4F;  ///< of all these pictures: the air of a bright day leaves room for more
 constexpr double kHalfSeenM = 1.2; ///< of the surface, across the picture
 constexpr double kAsideM = 1.75;   ///< the middle of a lane
-
-/// Undoes displayColour() for a level of green, 0 … 255: light times exposure.
-double exposedOf(double shown)
-{
-    const double share = shown / 255.0;
-    return std::pow(-std::log(1.0 - std::min(share * share, 0.998)), 1.0 / 1.125);
-}
-
-osg::ref_ptr<osg::Node> slabOf(scenery::Finish finish)
-{
-    scenery::ModelMesh mesh;
-    mesh.addBox({-100.0F, -100.0F, -0.1F}, {100.0F, 100.0F, 0.0F}, {0.6F, 0.6F, 0.6F, 1.0F});
-    const osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(mesh.geometry());
-    scenery::setObjectShading(*node, finish);
-    return node;
-}
 
 /// A road of two lanes along x, 100 m to both sides.
 foundation::Result<osg::ref_ptr<osg::Node>> roadOf()
@@ -104,7 +85,8 @@ foundation::Result<std::unique_ptr<AirPictures>> AirPictures::create(SeenSurface
         node = *road;
     }
     else
-        node = slabOf(surface == SeenSurface::object ? scenery::Finish::matt : scenery::Finish::lacquered);
+        node = greyBox({-100.0F, -100.0F, -0.1F}, {100.0F, 100.0F, 0.0F}, 0.6F,
+                       surface == SeenSurface::object ? scenery::Finish::matt : scenery::Finish::lacquered);
     return std::unique_ptr<AirPictures>(new AirPictures(node, std::move(*viewer)));
 }
 
@@ -134,7 +116,7 @@ double AirPictures::lightSeen(double light)
     int count = 0;
     for (unsigned x = kAirWidePx / 4; x < 3 * kAirWidePx / 4; ++x)
         for (unsigned y = kAirHighPx / 4; y < 3 * kAirHighPx / 4; ++y, ++count)
-            sum += exposedOf(picture->data(x, y)[1]);
+            sum += exposedOf(picture->data(x, y)[1] / 255.0);
     return sum / count;
 }
 

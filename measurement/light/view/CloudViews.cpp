@@ -5,11 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include <osg/Geode>
 #include <osg/Uniform>
 
-#include "scenery/nodes/ModelMesh.h"
-#include "scenery/nodes/ObjectShading.h"
+#include "measurement/light/view/GreyBox.h"
 #include "scenery/nodes/Pose.h"
 #include "scenery/nodes/Sky.h"
 
@@ -21,16 +19,6 @@ namespace
 
 constexpr int kViewWidePx = 48, kViewHighPx = 36;
 constexpr double kMastAwayM = 1000.0, kClimbMarginM = 150.0;
-
-osg::ref_ptr<osg::Node> boxOf(const osg::Vec3f& from, const osg::Vec3f& to, float grey)
-{
-    scenery::ModelMesh mesh;
-    mesh.addBox(from, to, {grey, grey, grey, 1.0F});
-    const osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(mesh.geometry());
-    scenery::setObjectShading(*node, scenery::Finish::matt);
-    return node;
-}
 
 int levelAt(const osg::Image& picture, int x, int y)
 {
@@ -60,8 +48,8 @@ CloudViews::CloudViews(std::function<double(double)> greyUnder,
 {
     _root->setStateSet(_atmosphere->stateSet());
     _root->addChild(scenery::makeSky());
-    _root->addChild(boxOf({-1.5e5F, -1.5e5F, -1.0F}, {1.5e5F, 1.5e5F, 0.0F}, 0.5F));
-    _mast->addChild(boxOf({-100.0F, -1.0F, 0.0F}, {100.0F, 1.0F, 12000.0F}, 0.0F));
+    _root->addChild(greyPlain());
+    _mast->addChild(greyBox({-100.0F, -1.0F, 0.0F}, {100.0F, 1.0F, 12000.0F}, 0.0F));
     _mast->setMatrix(osg::Matrixd::translate(0.0, kMastAwayM, 0.0));
     _root->addChild(_mast);
     _clouds.setDetail(1, 128);

@@ -6,6 +6,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "measurement/light/view/ShownLight.h"
+
 namespace measurement
 {
 
@@ -91,7 +93,7 @@ double lightIn(const osg::Image& image, int channel)
         {
             const double shown =
                 image.data(static_cast<unsigned>(x), static_cast<unsigned>(y))[channel] / 255.0;
-            sum += std::pow(-std::log(1.0 - std::min(shown * shown, 0.9999)), 1.0 / 1.125);
+            sum += exposedOf(shown, 0.9999);
         }
     return sum;
 }

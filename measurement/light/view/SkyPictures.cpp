@@ -5,10 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include <osg/Geode>
-
-#include "scenery/nodes/ModelMesh.h"
-#include "scenery/nodes/ObjectShading.h"
+#include "measurement/light/view/GreyBox.h"
+#include "measurement/light/view/ShownLight.h"
 #include "scenery/nodes/Pose.h"
 #include "scenery/nodes/Sky.h"
 
@@ -33,12 +31,6 @@ double upperLuminance(const osg::Image& picture)
     return sum / (255.0 * picture.s() * (picture.t() - picture.t() / 2));
 }
 
-/// Undoes displayColour(): the light that a mean level of the picture stands for.
-double lightOfLevel(double level, double exposure)
-{
-    return std::pow(-std::log(1.0 - std::min(level * level, 0.998)), 1.0 / 1.125) / exposure;
-}
-
 } // namespace
 
 foundation::Result<std::unique_ptr<SkyPictures>> SkyPictures::create()
@@ -56,12 +48,7 @@ SkyPictures::SkyPictures(std::unique_ptr<osgOffscreen::OffscreenViewer> viewer)
 {
     _root->setStateSet(_atmosphere->stateSet());
     _root->addChild(scenery::makeSky());
-    scenery::ModelMesh slab;
-    slab.addBox({-1.5e5F, -1.5e5F, -1.0F}, {1.5e5F, 1.5e5F, 0.0F}, {0.5F, 0.5F, 0.5F, 1.0F});
-    const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
-    ground->addDrawable(slab.geometry());
-    scenery::setObjectShading(*ground, scenery::Finish::matt);
-    _root->addChild(ground);
+    _root->addChild(greyPlain());
     _viewer->viewer().setSceneData(_root);
     _viewer->camera().setProjectionMatrixAsPerspective(60.0, 4.0 / 3.0, 0.5, 2e5);
 }
@@ -78,7 +65,7 @@ SkySweep SkyPictures::sweep(const std::function<osgSky::AtmosphereSettings(doubl
         const foundation::Outcome set = _atmosphere->setSettings(settingsAt(static_cast<double>(i) / kSteps));
         const double level = set ? upperLuminance(*_viewer->picture()) : std::nan("");
         seen.levels.push_back(level);
-        seen.lights.push_back(lightOfLevel(level, _atmosphere->light().exposure));
+        seen.lights.push_back(exposedOf(level) / _atmosphere->light().exposure);
     }
     return seen;
 }

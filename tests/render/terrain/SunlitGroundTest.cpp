@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "FeatureScene.h"
+#include "measurement/light/view/ShownLight.h"
 
 namespace
 {
@@ -43,8 +44,7 @@ double luminance(const osg::Vec3d& c)
 /// Undoes displayColour() as its description tells it, for one channel of a pixel, 0…1.
 double lightOf(double shown, double exposure)
 {
-    const double contrast = -std::log(1.0 - std::min(shown * shown, 0.998));
-    return std::pow(contrast, 1.0 / 1.125) / exposure;
+    return measurement::exposedOf(shown) / exposure;
 }
 
 /// What a description of the light says that white level ground sends back.
