@@ -25,10 +25,13 @@ PositionLamps defaultPositionLamps();
 /// Returns a dipped head lamp of 13 000 cd with the beam of this project.
 scenery::LightPoint defaultLowBeam();
 
+/// How far a lamp is seen, in metres.
+using LampRange = std::function<double(double candela, double visibilityM, double leastLx)>;
+
 /// What is measured of lamps: the functions that draw them, or others that stand in for them.
 struct LampParts
 {
-    std::function<double(double candela, double visibilityM, double leastLx)> rangeM = scenery::visibleRangeM;
+    LampRange rangeM = scenery::visibleRangeM;
     std::function<double(scenery::LightGroup, int step)> shareOfStep = scenery::shareOfStep;
     std::function<double(const scenery::LightPoint&, const glm::dvec3& eye, double timeS)> candelaTowards =
         scenery::candelaTowards;
@@ -45,8 +48,8 @@ struct KnownRange
     double candela, leastLx, visibilityKm, rangeKm;
 };
 
-/// Returns ranges worked out from Allard's law by another program, to three digits.
-const std::vector<KnownRange>& knownRanges();
+/// Returns the largest deviation from ranges worked out from Allard's law by another program, as a share.
+double worstRange(const LampRange& rangeM);
 
 /// Measures the ranges of lamps, their steps, the sectors of position lamps, what a dipped head lamp sends to
 /// the points of UN R112 and the settings of PAPI.

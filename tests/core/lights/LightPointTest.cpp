@@ -11,34 +11,13 @@
 #include "scenery/lights/Allard.h"
 #include "scenery/lights/LightSteps.h"
 
-using scenery::BeamKind;
 using scenery::LightGroup;
 using scenery::LightPoint;
 
 namespace
 {
 
-using Range = std::function<double(double candela, double visibilityM, double leastLx)>;
-
-/// The largest deviation from the table, as a share.
-double worstRange(const Range& range)
-{
-    double worst = 0.0;
-    for (const measurement::KnownRange& row : measurement::knownRanges())
-        worst = std::max(worst, std::abs(range(row.candela, 1000.0 * row.visibilityKm, row.leastLx) /
-                                             (1000.0 * row.rangeKm) -
-                                         1.0));
-    return worst;
-}
-
-LightPoint positionLamp(BeamKind kind)
-{
-    LightPoint lamp;
-    lamp.candela = kind == BeamKind::rear ? 20.0 : 40.0;
-    lamp.headingDeg = kind == BeamKind::rear ? 180.0 : 0.0;
-    lamp.beam = kind;
-    return lamp;
-}
+using measurement::worstRange;
 
 double towards(const LightPoint& lamp, double asideDeg, double upDeg)
 {
@@ -118,8 +97,7 @@ TEST(Allard, TheBackgroundFollowsTheSun)
 
 TEST(Beam, SectorsOfAnAircraftAreThoseOfTheRule)
 {
-    const LightPoint left = positionLamp(BeamKind::forwardLeft), right = positionLamp(BeamKind::forwardRight),
-                     rear = positionLamp(BeamKind::rear);
+    const auto [left, right, rear] = measurement::defaultPositionLamps();
     EXPECT_LT(worstSector(left), 0.05);
     EXPECT_GT(worstSector(right), 0.5) << "the other side's lamp";
     for (double deg = -179.0; deg < 180.0; deg += 1.0)
@@ -138,7 +116,7 @@ TEST(Beam, SectorsOfAnAircraftAreThoseOfTheRule)
 
 TEST(Beam, OverlapsStayBelowTheirLimits)
 {
-    const LightPoint left = positionLamp(BeamKind::forwardLeft), rear = positionLamp(BeamKind::rear);
+    const auto [left, right, rear] = measurement::defaultPositionLamps();
     const auto isWithin = [](const LightPoint& lamp, double firstDeg, double lastDeg)
     {
         bool good = true;
