@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terminal/Report.h"
 
+#include <cmath>
+
 #include <foundation/WholeFile.h>
 
 #include "terminal/Terminal.h"
@@ -18,6 +20,11 @@ std::string textOf(const nlohmann::ordered_json& json)
 }
 
 } // namespace
+
+nlohmann::ordered_json numberOrNull(double value)
+{
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+}
 
 int report(const std::string& program, const std::filesystem::path& jsonFile,
            const std::function<foundation::Result<Report>()>& work, Places places)

@@ -20,6 +20,9 @@ struct Report
     bool sound = true;
 };
 
+/// A number that is none has no form in JSON: null.
+nlohmann::ordered_json numberOrNull(double value);
+
 /// Checks the places of the command line and that of the table, does the work, writes its table to `jsonFile`
 /// unless that is empty, and returns the exit code of the program: kFailed after an error, and when a check
 /// of the table failed.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "QualifyCommand.h"
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -34,15 +33,11 @@ foundation::Result<QualificationChecks> recordedChecks(const std::shared_ptr<con
     return all;
 }
 
-/// A number that is none has no form in JSON: null.
 nlohmann::ordered_json jsonOf(const QualificationCheck& check)
 {
-    return {{"name", check.name},
-            {"value", std::isfinite(check.value) ? nlohmann::ordered_json(check.value) : nullptr},
-            {"unit", check.unit},
-            {"expected", check.expected},
-            {"tolerance", check.tolerance},
-            {"source", check.source},
+    return {{"name", check.name},           {"value", terminal::numberOrNull(check.value)},
+            {"unit", check.unit},           {"expected", check.expected},
+            {"tolerance", check.tolerance}, {"source", check.source},
             {"pass", check.passes()}};
 }
 

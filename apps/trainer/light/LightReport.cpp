@@ -23,12 +23,7 @@ namespace
 
 using measurement::LightFigure;
 using measurement::LightFigures;
-
-/// A number that is none has no form in JSON: null.
-nlohmann::ordered_json numberOrNull(double value)
-{
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
-}
+using terminal::numberOrNull;
 
 nlohmann::ordered_json jsonOfFigure(const LightFigure& figure)
 {
