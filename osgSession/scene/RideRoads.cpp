@@ -18,7 +18,7 @@ void addRoads(PlayRequest& ride, const SceneTerrain& scene)
 {
     const bool hasTraffic = ride.trafficPerKm > 0.0;
     if (!scene.roads || (!hasTraffic && !simulation::hasTrafficLights(scene.roads->network()))) return;
-    const auto roads = roadSceneOf(scene);
+    const auto roads = ride.roadsUnder ? ride.roadsUnder : roadSceneOf(scene);
     if (hasTraffic) ride.trafficRoads = roads;
     ride.lights = simulation::signalProgrammes(*roads);
 }
