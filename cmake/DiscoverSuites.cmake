@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DPROGRAM=… -DOUTPUT=… -DPREFIX=… -DLABELS=label,label -DTIMEOUT=… -DSPLIT=suite,suite -P DiscoverSuites.cmake: writes OUTPUT,
-# the ctest file of a GoogleTest program: one ctest test a suite, which runs in one process and makes its fixtures once;
+# cmake -DPROGRAM=… -DOUTPUT=… -DPREFIX=… -DLABELS=label,label -DTIMEOUT=… -DSPLIT=suite,suite [-DLONG=tests/long.txt] -P DiscoverSuites.cmake:
+# writes OUTPUT, the ctest file of a GoogleTest program: one ctest test a suite, which runs in one process and makes its fixtures once;
 # of a suite named in SPLIT one a test, so that a long suite spreads over the cores. Run after each link (TestTargets.cmake).
+# With LONG, the suites that it does not list run together, too: eight in a process, a ctest test PROGRAM.NUMBER with the label
+# `together`. Each of them alone has the label `apart`, and scripts/test-trees leaves it out (decision 132).
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE list RESULT_VARIABLE failed TIMEOUT 60)
 if(failed)
@@ -13,11 +15,42 @@ string(REPLACE "," ";" LABELS "${LABELS}")
 # A suite all of whose tests were skipped, and none failed.
 set(all_skipped "\\\\[  PASSED  \\\\] 0 tests\\\\.\n\\\\[  SKIPPED \\\\] [0-9]+ tests?, listed below:\n(\\\\[  SKIPPED \\\\] [^\n]*\n)+$")
 set(text "")
-function(entry name filter)
+function(entry name filter label)
     string(APPEND text "add_test([==[${PREFIX}${name}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}]==])\n"
-        "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES LABELS \"${LABELS}\" TIMEOUT ${TIMEOUT} "
+        "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES LABELS \"${LABELS}${label}\" TIMEOUT ${TIMEOUT} "
         "SKIP_REGULAR_EXPRESSION \"${all_skipped}\")\n")
     set(text "${text}" PARENT_SCOPE)
+endfunction()
+
+set(long "")
+if(LONG)
+    file(STRINGS ${LONG} long REGEX "^[^# ]")
+    list(TRANSFORM long REPLACE " .*" "")
+endif()
+# Sets OUT to whether a suite runs together with others.
+function(runs_together name out)
+    set(${out} OFF PARENT_SCOPE)
+    if(LONG)
+        set(${out} ON PARENT_SCOPE)
+        foreach(pattern IN LISTS long)
+            if(name MATCHES "^(${pattern})$")
+                set(${out} OFF PARENT_SCOPE)
+            endif()
+        endforeach()
+    endif()
+endfunction()
+
+set(together "")
+set(number 0)
+function(entry_together)
+    list(TRANSFORM together APPEND ".*")
+    list(JOIN together ":" filter)
+    math(EXPR number "${number} + 1")
+    get_filename_component(program ${PROGRAM} NAME)
+    entry(${program}.${number} "${filter}" ";together")
+    set(text "${text}" PARENT_SCOPE)
+    set(number ${number} PARENT_SCOPE)
+    set(together "" PARENT_SCOPE)
 endfunction()
 
 # "Suite." at the start of a line, its tests indented below; a comment says what a parameter is.
@@ -32,12 +65,25 @@ foreach(line IN LISTS lines)
             list(REMOVE_ITEM SPLIT ${suite})
         else()
             set(split OFF)
-            entry(${suite} "${suite}.*")
+            runs_together(${suite} isTogether)
+            if(isTogether)
+                entry(${suite} "${suite}.*" ";apart")
+                list(APPEND together ${suite})
+                list(LENGTH together count)
+                if(count EQUAL 8)
+                    entry_together()
+                endif()
+            else()
+                entry(${suite} "${suite}.*" "")
+            endif()
         endif()
     elseif(split AND line MATCHES "^ +([^ ]+)$")
-        entry("${suite}.${CMAKE_MATCH_1}" "${suite}.${CMAKE_MATCH_1}")
+        entry("${suite}.${CMAKE_MATCH_1}" "${suite}.${CMAKE_MATCH_1}" "")
     endif()
 endforeach()
+if(together)
+    entry_together()
+endif()
 if(SPLIT)
     message(FATAL_ERROR "${PROGRAM} has no suite ${SPLIT}, which SPLIT names")
 endif()

@@ -2,7 +2,8 @@
 # Programs that test: GoogleTest and libFuzzer.
 
 # osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ... [TIMEOUT s] [SPLIT suite…] [OPTIMISED] [CHECKED]): a GoogleTest
-# program, one ctest test a suite, or a test in the suites that SPLIT names: long ones whose tests share nothing.
+# program, one ctest test a suite, or a test in the suites that SPLIT names: long ones whose tests share nothing. The short suites of
+# label core run together (DiscoverSuites.cmake).
 # ./check builds the target `checked` and runs the tests of that label: those of label core, and those that say CHECKED (decision 103).
 # Most tests compute little in their own code, next to that of the libraries, and are compiled in little more than half the
 # time without optimisation. OPTIMISED: this one computes so much that it would run for seconds longer.
@@ -106,6 +107,12 @@ function(osgtrainer_test_program name)
     target_compile_options(${name} PRIVATE
         $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>) # false alarm: a unity file includes only sources
     set(labels ${arg_LABEL})
+    # Starting the process of a core's test takes longer than what most suites do.
+    set(long)
+    if(arg_LABEL STREQUAL "core")
+        set(long ${PROJECT_SOURCE_DIR}/tests/long.txt)
+        set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${long})
+    endif()
     if(arg_CHECKED OR arg_LABEL STREQUAL "core")
         string(APPEND labels ",checked")
         add_dependencies(checked ${name})
@@ -114,7 +121,8 @@ function(osgtrainer_test_program name)
     list(JOIN arg_SPLIT "," split)
     add_custom_command(TARGET ${name} POST_BUILD VERBATIM
         COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${suites} -DPREFIX=${OSGTRAINER_TEST_PREFIX}
-            -DLABELS=${labels} -DTIMEOUT=${arg_TIMEOUT} -DSPLIT=${split} -P ${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake)
+            -DLABELS=${labels} -DTIMEOUT=${arg_TIMEOUT} -DSPLIT=${split} -DLONG=${long}
+            -P ${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake)
     set(included ${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake)
     file(WRITE ${included} "if(EXISTS [==[${suites}]==])\n    include([==[${suites}]==])\nelse()\n"
         "    add_test(${OSGTRAINER_TEST_PREFIX}${name}_NOT_BUILT ${name}_NOT_BUILT)\nendif()\n")
