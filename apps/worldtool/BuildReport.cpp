@@ -145,14 +145,16 @@ nlohmann::ordered_json rowOf(const worldmaking::LandReport& report, std::size_t 
             {"aprons", report.aprons},
             {"runways", report.runways},
             {"unusedRunways", unusedRunways},
-            {"untaggedWoodsHa", report.untaggedWoodsHa}};
+            {"untaggedWoodsHa", report.untaggedWoodsHa},
+            {"gardensHa", report.gardensHa},
+            {"yardsHa", report.yardsHa}};
 }
 
 nlohmann::ordered_json rowOf(const worldmaking::TreeReport& report)
 {
-    return {{"inWoods", report.inWoods},       {"single", report.single}, {"inRows", report.inRows},
-            {"inOrchards", report.inOrchards}, {"hedges", report.hedges}, {"shrubs", report.shrubs},
-            {"spacingM", report.spacingM}};
+    return {{"inWoods", report.inWoods},       {"single", report.single},    {"inRows", report.inRows},
+            {"inOrchards", report.inOrchards}, {"hedges", report.hedges},    {"shrubs", report.shrubs},
+            {"inGardens", report.inGardens},   {"spacingM", report.spacingM}};
 }
 
 nlohmann::ordered_json rowOf(const worldmaking::MadeUpReport& report)

@@ -38,6 +38,10 @@ Cover classOf(GroundKind kind)
         return Cover::ice;
     case GroundKind::wetland:
         return Cover::wetland;
+    case GroundKind::garden:
+        return Cover::garden;
+    case GroundKind::yard:
+        return Cover::yard;
     default:
         return Cover::none;
     }

@@ -26,6 +26,7 @@
 #include "worldmaking/land/Structures.h"
 #include "worldmaking/land/Trees.h"
 #include "worldmaking/land/UntaggedLand.h"
+#include "worldmaking/land/Yards.h"
 #include "worldmaking/streets/Overpass.h"
 #include "worldtool/BuildReport.h"
 #include "worldtool/RideFiles.h"
@@ -304,7 +305,7 @@ foundation::Outcome WorldMaker::makeHouses(const worldmaking::MapPlane& plane,
 }
 
 /// Gives what the map says nothing of the kinds of the land-cover raster; without one, woods by rule. What is
-/// made up leaves nothing open.
+/// made up leaves nothing open. Where houses stand close yards take the place of gardens.
 void WorldMaker::fillCover(worldmaking::CoverRaster& cover, const worldmaking::MapPlane& plane,
                            const worldmaking::RoadRoom& room, worldmaking::LandReport& land) const
 {
@@ -320,8 +321,11 @@ void WorldMaker::fillCover(worldmaking::CoverRaster& cover, const worldmaking::M
             });
     else if (!_source.request.maps.empty() && middle)
         worldmaking::fillUntaggedLand(cover, {room, _houses, height, middle->y});
-    land.untaggedWoodsHa = 1e-4 * cover.texelM() * cover.texelM() *
-                           static_cast<double>(cover.count(worldmaking::Cover::trees) - before);
+    worldmaking::layYards(cover, _houses);
+    const double texelHa = 1e-4 * cover.texelM() * cover.texelM();
+    land.untaggedWoodsHa = texelHa * static_cast<double>(cover.count(worldmaking::Cover::trees) - before);
+    land.gardensHa = texelHa * static_cast<double>(cover.count(worldmaking::Cover::garden));
+    land.yardsHa = texelHa * static_cast<double>(cover.count(worldmaking::Cover::yard));
 }
 
 foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,

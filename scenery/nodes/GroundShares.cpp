@@ -21,13 +21,14 @@ namespace
 using osgTerrainROAM::TerrainMaterial;
 using Shares = GroundShares::Shares;
 
-/// What grows wild there. Between houses half of it is mown; crops are painted.
+/// What grows wild there. Between houses half of it is kept short; crops are painted.
 Shares byKind(std::size_t kind)
 {
     using osgTerrainROAM::core::GroundKind;
     const auto& of = osgTerrainROAM::core::kGroundMakeup[kind];
     if (kind == static_cast<std::size_t>(GroundKind::crop)) return {};
-    if (kind == static_cast<std::size_t>(GroundKind::urban)) return {0.5F * of.grass, 0.0F, 0.0F};
+    for (const GroundKind mown : {GroundKind::urban, GroundKind::garden, GroundKind::yard})
+        if (kind == static_cast<std::size_t>(mown)) return {0.5F * of.grass, 0.0F, 0.0F};
     return {of.grass, of.stones, of.litter};
 }
 

@@ -14,7 +14,7 @@
 namespace worldmaking
 {
 
-/// Classes of ESA WorldCover, which land_cover_classes = worldcover knows.
+/// Classes of ESA WorldCover and two of ours, which land_cover_classes = worldcover knows.
 enum class Cover : std::uint8_t
 {
     none = 0, ///< the ground's own look
@@ -22,6 +22,8 @@ enum class Cover : std::uint8_t
     shrubs = 20,
     grass = 30,
     crops = 40,
+    garden = 51, ///< ours, as yard: land of settlements
+    yard = 52,   ///< paved or gravel: squares, industry, between houses that stand close
     bare = 60,
     ice = 70,
     water = 80,
@@ -45,8 +47,15 @@ public:
     template<class Choose>
     void fillRest(const Choose& choose)
     {
+        change(Cover::none, choose);
+    }
+
+    /// Gives each texel of a class what `choose(its middle)` returns.
+    template<class Choose>
+    void change(Cover from, const Choose& choose)
+    {
         for (std::size_t i = 0; i < _classes.size(); ++i)
-            if (_classes[i] == 0)
+            if (_classes[i] == static_cast<std::uint8_t>(from))
             {
                 const auto columns = static_cast<std::size_t>(_columns);
                 const glm::dvec2 cell(static_cast<double>(i % columns), static_cast<double>(i / columns));

@@ -23,7 +23,8 @@ struct LandReport
 {
     std::size_t fields = 0, waters = 0, waterLines = 0, ways = 0, railways = 0, aprons = 0, runways = 0;
     std::size_t coverAreas = 0;
-    double untaggedWoodsHa = 0.0;              ///< of woods where the map says nothing
+    double untaggedWoodsHa = 0.0; ///< of woods where the map says nothing
+    double gardensHa = 0.0, yardsHa = 0.0;
     std::map<std::string, std::size_t> unused; ///< areas and lines by the tag that says what they are
 };
 

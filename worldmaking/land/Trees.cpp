@@ -12,8 +12,10 @@
 
 #include "scenery/buildings/Outline.h"
 #include "scenery/models/Dice.h"
+#include "worldmaking/land/LandUse.h"
 #include "worldmaking/land/MapFile.h"
 #include "worldmaking/plan/Waters.h"
+#include "worldmaking/streets/PathTags.h"
 
 namespace worldmaking
 {
@@ -24,6 +26,9 @@ namespace
 using scenery::models::Dice;
 
 constexpr double kSpacingM = 11.0, kRowM = 9.0, kHedgeM = 1.8, kOrchardM = 6.0, kShrubM = 18.0;
+constexpr double kGardenM = 15.0, kGardenTrees = 0.4, kGardenBushes = 0.4; ///< one square holds one or none
+constexpr double kModelRoomM = 9.0; ///< from the middle of a house or car that is a model
+constexpr double kPathRoomM = 2.0;  ///< from the middle of a path
 constexpr double kSpruceFromM = 1500.0;
 
 double distanceM(const glm::dvec2& place, const std::vector<glm::dvec2>& ring)
@@ -179,6 +184,84 @@ void plantShape(const LandShape& shape, const MapPlane& plane, Planter& planter,
     }
 }
 
+/// What trees of gardens keep away from beside what all trees do: squares, parking places and other yards,
+/// paths, houses and cars that are models.
+class GardenLimits
+{
+public:
+    GardenLimits(const LandMap& map, const MapPlane& plane)
+    {
+        for (const LandShape& shape : map.shapes)
+        {
+            const bool isYard = shape.form == ShapeForm::area && coverOf(shape.tags) == Cover::yard,
+                       isPath = shape.form == ShapeForm::line && isFootway(shape.tags),
+                       isModel = shape.form == ShapeForm::point && !valueOf(shape.tags, "model").empty();
+            const auto paths = isYard || isPath || isModel ? plane.toPlan(shape.paths) : std::nullopt;
+            if (!paths || paths->empty()) continue;
+            if (isYard)
+                add({*paths, 0.0}, boxOf(paths->front()));
+            else if (isModel)
+                add({*paths, kModelRoomM}, boxOf(paths->front()));
+            else
+                for (std::size_t i = 0; i + 1 < paths->front().size(); ++i)
+                {
+                    const std::vector<glm::dvec2> piece{paths->front()[i], paths->front()[i + 1]};
+                    add({{piece}, kPathRoomM}, boxOf(piece));
+                }
+        }
+    }
+
+    bool keepFree(const glm::dvec2& place) const
+    {
+        bool isKept = false;
+        _grid.near({place, place},
+                   [&](std::size_t i)
+                   {
+                       const Limit& limit = _limits[i];
+                       isKept =
+                           isKept || (limit.roomM > 0.0 ? distanceM(place, limit.paths.front()) < limit.roomM
+                                                        : scenery::isWithin(limit.paths, place));
+                   });
+        return isKept;
+    }
+
+private:
+    struct Limit
+    {
+        PlanRings paths;
+        double roomM; ///< 0: within the rings
+    };
+
+    void add(Limit limit, const MapBox& box)
+    {
+        _grid.add(_limits.size(), {box.low - limit.roomM, box.high + limit.roomM});
+        _limits.push_back(std::move(limit));
+    }
+
+    std::vector<Limit> _limits;
+    PlanGrid _grid;
+};
+
+/// Plants gardens: a tree, a bush or nothing in each square of a grid.
+void plantGardens(const LandMap& map, const MapPlane& plane, const CoverRaster& cover, Planter& planter,
+                  TreeReport& report)
+{
+    const double gardensM2 =
+        static_cast<double>(cover.count(Cover::garden)) * cover.texelM() * cover.texelM();
+    const double sideM = std::max(kGardenM, std::sqrt(gardensM2 / static_cast<double>(kMostGardenPlants)));
+    const GardenLimits limits(map, plane);
+    overGrid(cover.box(), sideM,
+             [&](const glm::dvec2& place, Dice& dice)
+             {
+                 const double draw = dice.unit();
+                 if (draw > kGardenTrees + kGardenBushes || cover.at(place) != Cover::garden ||
+                     limits.keepFree(place))
+                     return;
+                 const char* const bush = draw < kGardenTrees ? "" : "bush";
+                 report.inGardens += planter.plant(place, "broadleaved", bush, dice);
+             });
+}
+
 /// The leaves of the woods that say so, by place.
 class Leaves
 {
@@ -234,6 +317,7 @@ std::vector<Tree> treesOf(const LandMap& map, const MapPlane& plane, const Taken
                  if (cover.at(place) == Cover::shrubs)
                      report.shrubs += planter.plant(place, {}, "bush", dice);
              });
+    plantGardens(map, plane, cover, planter, report);
     return std::move(planter.trees);
 }
 

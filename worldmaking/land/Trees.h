@@ -39,15 +39,16 @@ struct TakenGround
 
 struct TreeReport
 {
-    std::size_t inWoods = 0, single = 0, inRows = 0, inOrchards = 0, hedges = 0, shrubs = 0;
+    std::size_t inWoods = 0, single = 0, inRows = 0, inOrchards = 0, hedges = 0, shrubs = 0, inGardens = 0;
     double spacingM = 0.0; ///< between trees of woods
 };
 
 /// Plants woods where the raster has trees, one in each square of a grid, somewhere within it; wider apart
 /// where the whole would be more than kMostTrees. Orchards and hedges have rows of bushes, tree rows and
-/// single trees those of the map. None stands within kTreeRoomM of lanes, kWallRoomM of houses, in water, on
-/// a runway's strip or where there is no ground. Kinds follow leaf_type, or else the height: above 1500 m
-/// most are spruces.
+/// single trees those of the map. Gardens have a tree, a bush or nothing in each square of 15 m (wider where
+/// they would be more than kMostGardenPlants), none on yards and paths and beside models. Nothing stands
+/// within kTreeRoomM of lanes, kWallRoomM of houses, in water, on a runway's strip or where there is no
+/// ground. Kinds follow leaf_type, or else the height: above 1500 m most are spruces.
 std::vector<Tree> treesOf(const LandMap& map, const MapPlane& plane, const TakenGround& taken,
                           const foundation::HeightInPlan& height, TreeReport& report);
 
@@ -55,7 +56,7 @@ std::vector<Tree> treesOf(const LandMap& map, const MapPlane& plane, const Taken
 foundation::Outcome writeTrees(std::span<const Tree> trees, const MapPlane& plane,
                                const std::filesystem::path& file);
 
-inline constexpr std::size_t kMostTrees = 400000;
+inline constexpr std::size_t kMostTrees = 400000, kMostGardenPlants = 150000;
 inline constexpr double kTreeRoomM = 3.5, kWallRoomM = 2.5;
 
 } // namespace worldmaking

@@ -19,6 +19,7 @@ namespace
 
 constexpr double kPaintedKm2 = 0.6, kRoadCellM = 48.0, kLakeRoomM = 35.0;
 constexpr double kBrookRoomM = 3.0;     ///< between a brook and a house
+constexpr double kPlotGardenM = 30.0;   ///< what belongs to a house around it
 constexpr double kSummitShare = 0.3;    ///< of the relief: summits are bare from so far below them on
 constexpr double kLeastReliefM = 500.0; ///< of ground that has summits
 
@@ -157,7 +158,7 @@ void MadeUpLand::buildHouses()
         keep(housesAlong(_settlements[i], static_cast<int>(i), rules, _plots));
         std::vector<PlanArea> parts;
         for (std::size_t plot = before; plot < _plots.all().size(); ++plot)
-            parts.push_back(PlanArea(_plots.all()[plot]).grown(22.0));
+            parts.push_back(PlanArea(_plots.all()[plot]).grown(kPlotGardenM));
         for (PlanRings& zone : PlanArea::joined(parts).simpler(2.0).parts(1000.0))
         {
             zone.resize(1); // what houses stand around belongs to them

@@ -119,6 +119,8 @@ constexpr std::array kTags = std::to_array<KnownTag>({
     {"natural", kRead},
     {"landuse", kRead},
     {"leisure", kRead},
+    {"amenity", kRead},
+    {"place", kRead},
     {"crop", kRead},
 });
 

@@ -120,6 +120,10 @@ std::array<KindLook, core::kGroundKinds> kindLooks(const GroundPalette& p)
     set(water, {p.water, 0.0f, p.water, 0.0f});
     set(crop, {mixed(p.crops[0], p.crops[1], 0.4f), 0.0f, mixed(p.crops[2], p.fieldSoil, 0.4f), 0.4f});
     set(urban, {mixed(stone, p.meadow, 0.3f), 0.1f, roofs, 0.35f});
+    // Trees and hedges between lawns, seen from farther than they are drawn; beds and gravel.
+    set(garden, {mixed(p.meadow, p.forest, 0.75f), 0.45f,
+                 mixed(mixed(p.fieldSoil, stone, 0.5f), p.meadow, 0.45f), 0.2f});
+    set(yard, {mixed(stone, p.fieldSoil, 0.35f), 0.0f, mixed(p.meadow, p.forest, 0.5f), 0.3f});
     set(wetland, {mixed(p.meadow, p.water, 0.35f), 0.0f, mixed(p.dryGrass, p.water, 0.6f), 0.4f});
     return looks;
 }

@@ -8,10 +8,10 @@
 uniform sampler2D terrainCover2D; // class / 255; mip levels by majority
 uniform vec4 coverFromGrid;
 uniform int coverLevels;
-uniform vec4 coverAlbedo[13];     // rgb, and the share of wood
-uniform vec4 coverPatch[13];      // rgb of patches, and their share
-uniform vec4 coverOpen[13];       // what the kind is made of near by: grass, stones, earth, rock (GroundMakeup.h)
-uniform float coverLitter[13];    // and litter
+uniform vec4 coverAlbedo[15];     // rgb, and the share of wood
+uniform vec4 coverPatch[15];      // rgb of patches, and their share
+uniform vec4 coverOpen[15];       // what the kind is made of near by: grass, stones, earth, rock (GroundMakeup.h)
+uniform float coverLitter[15];    // and litter
 uniform vec4 coverBend;           // by how many texels each layer of the grain bends borders
 
 struct Cover
@@ -65,7 +65,7 @@ Cover terrainCover(vec2 grid, vec2 place, Grain g)
     Cover cover = Cover(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), 0.0);
 #ifdef PICTURE_LOW
     float nearest = textureLod(terrainCover2D, (floor(at + 0.5) + 0.5) / vec2(size), float(level)).r;
-    addCover(cover, min(int(nearest * 255.0 + 0.5), 12), 1.0);
+    addCover(cover, min(int(nearest * 255.0 + 0.5), 14), 1.0);
 #else
     ivec2 cell = ivec2(floor(at));
     vec2 f = smoothstep(0.25, 0.75, at - vec2(cell));
@@ -75,7 +75,7 @@ Cover terrainCover(vec2 grid, vec2 place, Grain g)
         float weight = (corner.x == 1 ? f.x : 1.0 - f.x) * (corner.y == 1 ? f.y : 1.0 - f.y);
         // Sampled, not fetched: where neighbouring pixels differ in level, the sample still comes from this position.
         float code = textureLod(terrainCover2D, (vec2(cell + corner) + 0.5) / vec2(size), float(level)).r;
-        addCover(cover, min(int(code * 255.0 + 0.5), 12), weight);
+        addCover(cover, min(int(code * 255.0 + 0.5), 14), weight);
     }
 #endif
     return cover;

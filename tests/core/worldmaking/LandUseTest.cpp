@@ -3,6 +3,7 @@
 #include "worldmaking/land/LandUse.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -186,6 +187,55 @@ TEST(Trees, AreTheSameEachTime)
     ASSERT_EQ(a.trees.size(), b.trees.size());
     for (std::size_t i = 0; i < a.trees.size(); ++i)
         EXPECT_EQ(a.trees[i].place, b.trees[i].place);
+}
+
+/// 4 ha of a settlement with a square and a path in it and a car that is parked.
+TEST(Trees, GardensHaveSomeButNotOnSquaresAndPathsNorOverCars)
+{
+    const TestFolder folder("land");
+    MadeMap map;
+    const auto box = [&](double eastM, double northM, double sideM, const MadeMap::MapTags& tags)
+    {
+        const int first = map.node(eastM, northM);
+        map.way({first, map.node(eastM + sideM, northM), map.node(eastM + sideM, northM + sideM),
+                 map.node(eastM, northM + sideM), first},
+                tags);
+    };
+    map.way({map.node(-150, -120), map.node(150, -120)});
+    box(-100, -100, 200, {{"landuse", "residential"}});
+    box(0, 0, 60, {{"highway", "pedestrian"}, {"area", "yes"}});
+    map.way({map.node(-80, -90), map.node(-80, 90)}, {{"highway", "footway"}});
+    map.node(-50, -50, {{"model", "saloon"}});
+    const auto streets = streetsOf(map, [](double, double) { return 500.0; });
+    const auto land = readLand(folder.write("map.osm", map.text()));
+    ASSERT_TRUE(land);
+    const auto plane = MapPlane::create(streets.network.header, "made");
+    LandReport report;
+    const CoverRaster cover = coverRasterOf(*land, *plane, std::nullopt, report);
+    const double texelM2 = cover.texelM() * cover.texelM();
+    EXPECT_NEAR(static_cast<double>(cover.count(Cover::garden)) * texelM2, 36400.0, 3500.0);
+    EXPECT_NEAR(static_cast<double>(cover.count(Cover::yard)) * texelM2, 3600.0, 1300.0) << "the square";
+    TreeReport trees;
+    const RoadRoom room(streets.network);
+    const auto planted = treesOf(
+        *land, *plane, {room, cover, {}, {}}, [](const glm::dvec2&) { return std::optional(500.0); }, trees);
+    EXPECT_EQ(trees.inGardens, planted.size());
+    EXPECT_GT(trees.inGardens, 90U) << "0.8 of 160 squares of 15 m";
+    EXPECT_LT(trees.inGardens, 150U);
+    const double metres = MadeMap::kMetresPerDegree;
+    std::size_t bushes = 0;
+    for (const Tree& tree : planted)
+    {
+        const auto degrees = plane->toDegrees(tree.place);
+        const glm::dvec2 at((degrees->x - MadeMap::kLongitudeDeg) * metres * std::cos(0.741764932),
+                            (degrees->y - MadeMap::kLatitudeDeg) * metres);
+        EXPECT_FALSE(at.x > 1.0 && at.x < 59.0 && at.y > 1.0 && at.y < 59.0) << "on the square";
+        EXPECT_GT(glm::distance(at, glm::dvec2(-50, -50)), 8.5) << "over the car";
+        EXPECT_GT(std::abs(at.x + 80.0), 1.8) << "on the path";
+        bushes += tree.kind == "bush";
+    }
+    EXPECT_GT(bushes, 20U);
+    EXPECT_LT(bushes, trees.inGardens - 20U);
 }
 
 TEST(Runways, OfOurAirportsHaveTwoEndsAndAWidth)

@@ -66,6 +66,28 @@ double strayPx(const osg::Image& picture)
 
 } // namespace
 
+/// A settlement stands out from meadow by its gardens and yards.
+TEST(CoverPaint, GardensAreDarkerThanMeadowAndYardsAreGrey)
+{
+    const auto terrain = plain({});
+    terrain->material()->setCover(halves(GroundKind::meadow, GroundKind::garden));
+    for (const double heightM : {400.0, 1500.0, 6000.0})
+    {
+        const auto picture = fromAbove(terrain, heightM);
+        const osg::Vec3d meadow = meanOf(*picture, 0, 200), garden = meanOf(*picture, 280, kWidthPx);
+        EXPECT_LT(garden.y(), 0.92 * meadow.y()) << heightM;
+        EXPECT_GT(garden.y(), 0.6 * meadow.y()) << heightM;
+    }
+    terrain->material()->setCover(halves(GroundKind::meadow, GroundKind::yard));
+    for (const double heightM : {400.0, 1500.0, 6000.0})
+    {
+        const auto picture = fromAbove(terrain, heightM);
+        const osg::Vec3d meadow = meanOf(*picture, 0, 200), yard = meanOf(*picture, 280, kWidthPx);
+        EXPECT_GT(yard.x(), 1.2 * meadow.x()) << heightM;
+        EXPECT_LT(yard.y() - yard.x(), 0.5 * (meadow.y() - meadow.x())) << heightM;
+    }
+}
+
 TEST(CoverPaint, EachSideOfABorderLooksLikeItsKind)
 {
     const auto terrain = plain({});

@@ -31,7 +31,9 @@ constexpr std::array<std::pair<std::string_view, GroundKind>, kGroundKinds> kNam
      {"water", GroundKind::water},
      {"crop", GroundKind::crop},
      {"urban", GroundKind::urban},
-     {"wetland", GroundKind::wetland}}};
+     {"wetland", GroundKind::wetland},
+     {"garden", GroundKind::garden},
+     {"yard", GroundKind::yard}}};
 
 constexpr std::size_t kMostTableBytes = 1 << 20;
 constexpr int kMostCodesOfARange = 70000; ///< codes in one range
@@ -92,10 +94,11 @@ std::optional<Error> addLine(CoverTable& table, std::string_view line, const std
 
 CoverTable worldCoverTable()
 {
-    return {{10, GroundKind::forest},  {20, GroundKind::shrub},    {30, GroundKind::meadow},
-            {40, GroundKind::crop},    {50, GroundKind::urban},    {60, GroundKind::soil},
-            {70, GroundKind::snow},    {80, GroundKind::water},    {90, GroundKind::wetland},
-            {95, GroundKind::wetland}, {100, GroundKind::dryGrass}};
+    return {{10, GroundKind::forest},   {20, GroundKind::shrub},   {30, GroundKind::meadow},
+            {40, GroundKind::crop},     {50, GroundKind::urban},   {51, GroundKind::garden},
+            {52, GroundKind::yard},     {60, GroundKind::soil},    {70, GroundKind::snow},
+            {80, GroundKind::water},    {90, GroundKind::wetland}, {95, GroundKind::wetland},
+            {100, GroundKind::dryGrass}};
 }
 
 CoverTable corineTable()

@@ -28,13 +28,16 @@ enum class GroundKind : std::uint8_t
     crop,
     urban,
     wetland,
+    garden, ///< between houses that stand as models: lawns, beds, hedges, trees
+    yard,   ///< between buildings that stand as models: paving, gravel, a little green
 };
-constexpr int kGroundKinds = 13;
+constexpr int kGroundKinds = 15;
 
 /// The kind that each code of a land-cover raster means. Codes without an entry are unknown.
 using CoverTable = std::map<int, GroundKind>;
 
-/// ESA WorldCover 2020 and 2021: codes 10, 20 … 100 (Product User Manual v2.0, table 3).
+/// ESA WorldCover 2020 and 2021: codes 10, 20 … 100 (Product User Manual v2.0, table 3); and 51, gardens,
+/// and 52, yards, which are ours.
 CoverTable worldCoverTable();
 
 /// CORINE Land Cover, the raster's codes 1 … 44 and the nomenclature's 111 … 523 (Kosztra and others, 2019).

@@ -31,6 +31,8 @@ constexpr std::array<GroundMakeup, kGroundKinds> kGroundMakeup{{
     {0.3f, 0.0f, 0.7f, 0.0f, 0.0f}, // crop
     {0.4f, 0.4f, 0.2f, 0.0f, 0.0f}, // urban
     {0.9f, 0.0f, 0.1f, 0.0f, 0.0f}, // wetland
+    {0.9f, 0.0f, 0.1f, 0.0f, 0.0f}, // garden
+    {0.2f, 0.4f, 0.4f, 0.0f, 0.0f}, // yard
 }};
 
 } // namespace osgTerrainROAM::core
