@@ -70,7 +70,7 @@ osg::ref_ptr<osg::Image> recordImage(const core::FeatureCells& cells)
     return image;
 }
 
-using FarShares = std::array<float, 8>; ///< crops, then river, asphalt, gravel, runway
+using FarShares = std::array<float, 9>; ///< crops, then river, asphalt, gravel, runway, shade of fields
 
 /// What a texel of the far maps holds.
 FarShares farShares(const core::FeatureCells& cells, int perCell, const glm::ivec2& texel)
@@ -87,8 +87,11 @@ FarShares farShares(const core::FeatureCells& cells, int perCell, const glm::ive
             const core::FeatureCover cover = core::featureCover(cells, place, texelM / parts);
             for (std::size_t c = 0; c < 4; ++c)
                 sums[c] += cover.crops[c];
-            for (const auto& [c, value] :
-                 {std::pair{4, cover.river}, {5, cover.asphalt}, {6, cover.gravel}, {7, cover.runway}})
+            for (const auto& [c, value] : {std::pair{4, cover.river},
+                                           {5, cover.asphalt},
+                                           {6, cover.gravel},
+                                           {7, cover.runway},
+                                           {8, cover.shade}})
                 sums[c] += value;
         }
     for (float& sum : sums)
@@ -137,14 +140,16 @@ class FarPainter
 public:
     osg::ref_ptr<osg::Image> crops, beds;
 
-    FarPainter(const core::FeatureCells& cells, int perCell)
+    /// `isShaded`: the last channel of beds is the shade of fields where it is larger than the runway.
+    FarPainter(const core::FeatureCells& cells, int perCell, bool isShaded)
         : crops(farImage(cells, perCell, GL_RGBA, GL_RGBA8)),
           beds(farImage(cells, perCell, GL_RGBA, GL_RGBA8))
     {
         forFarTexels(cells, perCell,
                      [&](const glm::ivec2& texel)
                      {
-                         const FarShares shares = farShares(cells, perCell, texel);
+                         FarShares shares = farShares(cells, perCell, texel);
+                         if (isShaded) shares[7] = std::max(shares[7], shares[8]);
                          for (unsigned c = 0; c < 8; ++c)
                              (c < 4 ? crops : beds)->data(texel.x, texel.y)[c & 3] = shareByte(shares[c]);
                      });
@@ -245,7 +250,8 @@ FeatureMaps FeatureMaps::of(const core::FeatureCells& cells, const foundation::K
     const auto far = keptImages<2>(kept, "far", markOf(cells, maps),
                                    [&]
                                    {
-                                       const FarPainter painted(cells, maps.farPerCell);
+                                       const FarPainter painted(cells, maps.farPerCell,
+                                                                cells.runways.size() <= kMostRunways);
                                        return std::array{painted.crops, painted.beds};
                                    });
     maps.crops = far[0];
@@ -259,8 +265,10 @@ FeatureMaps FeatureMaps::farOf(const core::FeatureCells& cells, const foundation
     const bool isAsphalt = listAsphaltAlone(cells);
     FeatureMaps maps = gridOf(cells, kMaxBedsPerCell, isAsphalt ? 2 * kMaxFarSide : kMaxFarSide);
     if (cells.cells.empty()) return maps;
-    const auto paint = [&]
-    { return isAsphalt ? asphaltImage(cells, maps.farPerCell) : FarPainter(cells, maps.farPerCell).beds; };
+    const auto paint = [&] {
+        return isAsphalt ? asphaltImage(cells, maps.farPerCell)
+                         : FarPainter(cells, maps.farPerCell, false).beds;
+    };
     maps.beds = keptImage(kept, isAsphalt ? "asphalt" : "beds", markOf(cells, maps), paint);
     return maps;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@
 namespace osgTerrainROAM
 {
 
+/// Shaders compute so many runways (shaders/FeatureMaps.glsl); where there are more, the far map has them
+/// all.
+inline constexpr std::size_t kMostRunways = 16;
+
 /// What vector features are painted by: cells and records as texels of floats, and far maps of the shares of
 /// crops and beds in each texel. Memory: 16 B a cell and a record, and two far maps of up to 4096×4096 texels
 /// of 4 B; a texel is between an eighth of a cell and a whole cell.
@@ -30,7 +35,10 @@ struct FeatureMaps
     int farPerCell = 1; ///< texels of the far maps along a cell
     std::vector<core::FeatureCells::Runway> runways;
     Image cells, records, crops; ///< null where only beds are wanted
-    Image beds; ///< river, asphalt, gravel, runway; asphalt alone (GL_RED) where farOf() found nothing else
+    /// River, asphalt, gravel, runway; of() puts the shade of fields (0…1, times their share) into the last
+    /// where it is larger and runways are kMostRunways at most; asphalt alone (GL_RED) where farOf() found
+    /// nothing else.
+    Image beds;
 
     /// Of everything that is painted. Cost: about 1 µs a texel of the far maps where something is painted;
     /// several threads. `kept`: what follows from the program alone; the far maps are found there the second

@@ -44,9 +44,6 @@ void addGrid(osg::StateSet& stateSet, const FeatureMaps& maps, const std::string
 namespace
 {
 
-constexpr std::size_t kMostRunways =
-    16; ///< in shaders/FeatureMaps.glsl; where there are more, the far map shows them all
-
 void addRunways(osg::StateSet& stateSet, const FeatureMaps& maps)
 {
     const bool areAll = maps.runways.size() <= kMostRunways;
@@ -64,7 +61,7 @@ void addRunways(osg::StateSet& stateSet, const FeatureMaps& maps)
     }
     stateSet.addUniform(ends);
     stateSet.addUniform(halves);
-    stateSet.addUniform(new osg::Uniform("featureRunwayCount", static_cast<int>(count)));
+    stateSet.addUniform(new osg::Uniform("featureRunwayCount", areAll ? static_cast<int>(count) : -1));
 }
 
 } // namespace

@@ -21,6 +21,9 @@ vec4 fieldAlbedo(vec4 ground, Paint paint, Grain g, inout GroundKinds kinds)
     kinds.other *= other * open;
     vec3 colour = featureCrops[0] * paint.crops.x + featureCrops[1] * paint.crops.y + featureCrops[2] * paint.crops.z
                 + featureCrops[3] * paint.crops.w;
+    // A field that is brighter than others is riper, too.
+    float ripe = paint.rows.y - 1.0;
+    colour *= vec3(1.0 + 0.9 * ripe, 1.0, 1.0 - 0.6 * ripe);
     colour = colour * (paint.rows.y * (1.0 - paint.rows.x)) + featureSoil * (share * paint.rows.x);
     colour *= 1.0 + 0.5 * g.metres2.z + 0.25 * g.metres28.z + 0.2 * g.metres324.w;
     return vec4(ground.rgb * (1.0 - min(share, 1.0)) + colour, ground.a * (1.0 - min(share, 1.0)));

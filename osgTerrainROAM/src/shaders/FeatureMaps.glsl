@@ -2,11 +2,11 @@
 // Reads the mip-mapped maps of the features' shares. Runways are computed: filtered by a map they would be lost from where a pilot looks for them.
 
 uniform sampler2D featureFarCrops; // shares of each crop
-uniform sampler2D featureFarBeds;  // shares of river, asphalt, gravel, runway
+uniform sampler2D featureFarBeds;  // shares of river, asphalt, gravel, runway; where runways are computed, shade of fields
 uniform float featureFarTexelM;
 
 // Runways: their ends in metres from the first cell, and half their widths.
-uniform int featureRunwayCount;
+uniform int featureRunwayCount; // -1: they are too many, and in the map
 uniform vec4 featureRunways[16];
 uniform float featureRunwayHalfM[16];
 
@@ -53,15 +53,16 @@ Paint paintOfMaps(vec2 place, Footprint f)
     vec2 at = featureMapPlace(place, featureGrid, featureCellM), scale = featureMapScale(featureGrid, featureCellM);
     vec2 part = 0.25 * f.x * scale, shorter = f.y * scale;
     vec4 beds = textureGrad(featureFarBeds, at, part, shorter);
+    vec4 crops = textureGrad(featureFarCrops, at, part, shorter);
+    float share = max(dot(crops, vec4(1.0)), 1e-3), shade = 0.5;
     vec4 marks = marksOfBeds(beds);
-    if (featureRunwayCount > 0)
+    if (featureRunwayCount >= 0)
     {
+        shade = min(beds.w / share, 1.0);
         vec2 runway = runwayShares(at / scale, f);
         beds.w = runway.x;
         marks = marksOfBeds(vec4(beds.xyz, 0.0));
         marks.xw += vec2(runway.y, 0.02 * runway.x);
     }
-    vec4 crops = textureGrad(featureFarCrops, at, part, shorter);
-    float soil = dot(crops, kMeanSoil) / max(dot(crops, vec4(1.0)), 1e-3);
-    return Paint(crops, beds, marks, vec2(soil, 1.0), vec2(0.0));
+    return Paint(crops, beds, marks, vec2(dot(crops, kMeanSoil) / share, 0.75 + 0.5 * shade), vec2(0.0));
 }

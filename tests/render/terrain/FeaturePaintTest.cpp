@@ -265,7 +265,8 @@ double runwayShareFromFinal(const std::string& mutated)
 
 TEST(FeaturePaint, ARunwayIsSeenFromFinal)
 {
-    const double seen = runwayShareFromFinal(""), byMap = runwayShareFromFinal("if (featureRunwayCount > 0)");
+    const double seen = runwayShareFromFinal(""),
+                 byMap = runwayShareFromFinal("if (featureRunwayCount >= 0)");
     EXPECT_GT(seen, 0.85) << "five pixels wide there";
     EXPECT_LT(byMap, 0.7) << "the control: the far map alone blurs it";
 }
@@ -333,6 +334,78 @@ std::array<double, 2> linesBesideAsphalt(const std::string& define, const std::s
     };
     const double asphalt = brightest(20001.2);
     return {brightest(20003.69) - asphalt, brightest(20000.0) - asphalt};
+}
+
+/// A field of grass of 320 m.
+core::GroundFeature fieldAt(const glm::dvec2& corner)
+{
+    core::GroundFeature field;
+    field.style.kind = FeatureKind::field;
+    field.style.crop = core::Crop::grassland;
+    field.style.isCropKnown = true;
+    field.isArea = true;
+    field.paths = {{corner, corner + glm::dvec2(320.0, 0.0), corner + glm::dvec2(320.0, 320.0),
+                    corner + glm::dvec2(0.0, 320.0)}};
+    return field;
+}
+
+/// By how many levels fields of one crop differ, from 1 km and 12 km above them: standard deviations.
+std::array<double, 2> spreadOfFields(const std::string& define, bool isMutated = false)
+{
+    constexpr int kFields = 6;
+    std::vector<core::GroundFeature> fields;
+    std::vector<osg::Vec3d> middles;
+    for (int i = 0; i < kFields * kFields; ++i)
+    {
+        const glm::dvec2 corner = glm::dvec2(19000.0, 19000.0) + 330.0 * glm::dvec2(i % kFields, i / kFields);
+        fields.push_back(fieldAt(corner));
+        middles.emplace_back(corner.x + 160.0, corner.y + 160.0, 0.0);
+    }
+    const auto terrain = plain(fields);
+    if (!define.empty()) terrain->material()->stateSet()->setDefine(define);
+    if (isMutated) mutate(*terrain, "0.75 + 0.5 * shade", "1.0");
+    const auto spread = [&](double heightM)
+    {
+        Camera camera(terrain);
+        double sum = 0.0, squares = 0.0;
+        for (const osg::Vec3d& middle : middles)
+        {
+            // Near by, each for itself; the grain is averaged over a square of pixels.
+            const auto picture = camera.picture({middle.x(), middle.y(), heightM}, -kZenith, kNorthward);
+            const int half = heightM > 5000.0 ? 3 : 20;
+            double mean = 0.0;
+            for (int y = -half; y <= half; ++y)
+                for (int x = -half; x <= half; ++x)
+                    mean += level(*picture, kWidthPx / 2 + x, kHeightPx / 2 + y) / std::pow(2 * half + 1, 2);
+            sum += mean / kFields / kFields;
+            squares += mean * mean / kFields / kFields;
+        }
+        return std::sqrt(std::max(squares - sum * sum, 0.0));
+    };
+    return {spread(1000.0), spread(12000.0)};
+}
+
+/// The far map of beds has no shades of fields, which would be runways there.
+TEST(FeaturePaint, FieldsAmongFarFeaturesPaintNothing)
+{
+    const auto bare = plain({}), terrain = plain({});
+    terrain->material()->setFarFeatures(*core::FeatureCells::build({fieldAt({19840.0, 19840.0})}), 1.0);
+    const osg::Vec3d eye(20000.0, 20000.0, 1000.0);
+    Camera camera(terrain), bareCamera(bare);
+    EXPECT_NEAR(level(*camera.picture(eye, -kZenith, kNorthward), kWidthPx / 2, kHeightPx / 2),
+                level(*bareCamera.picture(eye, -kZenith, kNorthward), kWidthPx / 2, kHeightPx / 2), 1.0);
+}
+
+TEST(FeaturePaint, FieldsDifferAsMuchFromFarAwayAsFromNearBy)
+{
+    for (const char* define : {"", "PICTURE_LOW"})
+    {
+        const auto spread = spreadOfFields(define);
+        EXPECT_GT(spread[0], 5.0) << define;
+        EXPECT_GT(spread[1], 0.8 * spread[0]) << define;
+        EXPECT_LT(spread[1], 1.2 * spread[0]) << define;
+        EXPECT_LT(spreadOfFields(define, true)[1], 0.5 * spread[1]) << "the control: by the crop alone";
+    }
 }
 
 TEST(FeaturePaint, ARoadHasItsLinesAtEveryQuality)

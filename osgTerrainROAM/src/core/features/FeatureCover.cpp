@@ -52,6 +52,7 @@ void addArea(FeatureCover& cover, const Texel& head, const Nearest& edge, float 
         for (float& crop : cover.crops)
             crop *= 1.0f - share;
         cover.crops[static_cast<std::size_t>(head[2])] += share;
+        cover.shade += share * (head[3] / 63.0f - cover.shade);
         break;
     case FeatureKind::river:
         cover.river = std::max(cover.river, share);

@@ -13,6 +13,7 @@ namespace osgTerrainROAM::core
 struct FeatureCover
 {
     std::array<float, 4> crops{}; ///< by Crop
+    float shade = 0.0f;           ///< of the fields, 0…1, each times its share
     float river = 0.0f;
     float asphalt = 0.0f; ///< of roads alone
     float gravel = 0.0f;  ///< gravel and earth
