@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -157,6 +158,51 @@ Star starOf(const Merge& merge, double angleDeg, double turnDeg)
             {{0.0, merge.on}, {180.0 + turnDeg, merge.one}, {180.0 + turnDeg - angleDeg, merge.other}}};
 }
 
+constexpr double kLaneLengthM = 60.0;
+
+/// A straight road with one lane, 3.5 m to the right of its line, and what lies beside it.
+struct StraightLane
+{
+    int id = 0;
+    glm::dvec2 from{0.0};
+    double headingRad = 0.0;
+    std::string tags, lanes;
+};
+
+std::string xmlOf(const StraightLane& road)
+{
+    const std::string length = std::to_string(kLaneLengthM);
+    return "<road id=\"" + std::to_string(road.id) + "\" length=\"" + length + "\" " + road.tags +
+           "<planView><geometry s=\"0\" x=\"" + std::to_string(road.from.x) + "\" y=\"" +
+           std::to_string(road.from.y) + "\" hdg=\"" + std::to_string(road.headingRad) + "\" length=\"" +
+           length +
+           "\"><line/></geometry></planView><lanes><laneSection s=\"0\"><center>"
+           "<lane id=\"0\" type=\"none\"/></center><right><lane id=\"-1\" type=\"driving\">"
+           "<width sOffset=\"0\" a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"/></lane>" +
+           road.lanes + "</right></laneSection></lanes></road>";
+}
+
+PlacedNetwork networkOf(const std::vector<StraightLane>& roads)
+{
+    std::string text = "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/>";
+    for (const StraightLane& road : roads)
+        text += xmlOf(road);
+    auto read = parseNetwork(text + "<junction id=\"9\"/></OpenDRIVE>", "test.xodr");
+    EXPECT_TRUE(read);
+    return PlacedNetwork(std::make_shared<const RoadNetwork>(std::move(read->network)));
+}
+
+/// A road along x, and another that leaves it on its right side at `shiftM`. Both come from a junction.
+PlacedNetwork partingLanes(double angleDeg, double shiftM)
+{
+    constexpr double kBackM = 20.0;
+    const double angle = angleDeg * 3.14159265358979 / 180.0;
+    const std::string tags =
+        "junction=\"-1\"><link><predecessor elementType=\"junction\" elementId=\"9\"/></link>";
+    const glm::dvec2 from(shiftM - kBackM * std::cos(angle), -3.5 + kBackM * std::sin(angle));
+    return networkOf({{1, {-kBackM, 0.0}, 0.0, tags, ""}, {2, from, -angle, tags, ""}});
+}
+
 /// Blocks of about 90 m with streets of eleven kinds, none of them straight on.
 MadeMap town()
 {
@@ -229,6 +275,50 @@ TEST(JunctionPaving, ATownOfStreetsOfAllKindsHasNone)
     EXPECT_EQ(faults.count(), 0u) << faults << " in the town";
 }
 
+TEST(JunctionPaving, VergesFillAnIslandAsFarAsItsTip)
+{
+    for (const double angleDeg : {4.0, 7.0, 12.0, 20.0})
+        for (const double shiftM : {0.0, 0.5, 1.0, 1.5})
+        {
+            const double slopeOfOther = std::tan(angleDeg * 3.14159265358979 / 180.0);
+            const DrawnRoads drawn(buildRoadMesh(partingLanes(angleDeg, shiftM)));
+            std::size_t places = 0, open = 0;
+            glm::dvec2 last(0.0);
+            // Both verges are 2.5 m wide.
+            const double endM = shiftM + std::min(4.8 / slopeOfOther, 25.0);
+            for (double along = shiftM - 2.0; along < endM; along += 0.1)
+            {
+                const double gapM = std::max((along - shiftM) * slopeOfOther, 0.0);
+                for (double across = -0.5; across < gapM + 0.5; across += 0.1)
+                    if (++places; !drawn.at({along, -3.5 - across})) ++open, last = {along, across};
+            }
+            EXPECT_GT(places, 3000u);
+            EXPECT_EQ(open, 0u) << angleDeg << " degrees, " << shiftM << " m, the last at " << last.x << ", "
+                                << last.y;
+        }
+}
+
+TEST(JunctionPaving, ABorderThatALaneCoversInPartIsCutThere)
+{
+    for (const double overM : {0.002, 0.02, 0.08, 0.16})
+    {
+        const std::string border =
+            "<lane id=\"-2\" type=\"border\"><width sOffset=\"0\" a=\"0.35\" b=\"0\" "
+            "c=\"0\" d=\"0\"/><height sOffset=\"0\" inner=\"0.1\" outer=\"0.1\"/></lane>";
+        const std::string tags = "junction=\"9\">";
+        const DrawnRoads drawn(
+            buildRoadMesh(networkOf({{1, {0.0, 0.0}, 0.0, tags, ""}, {2, {0.0, overM}, 0.0, tags, border}})));
+        for (double across = -0.3; across < 0.33 - overM; across += 0.01)
+        {
+            const auto sample = drawn.at({30.0, -3.5 - across});
+            ASSERT_TRUE(sample) << overM << " m, " << across;
+            const double heightM = across > 0.0 ? 0.1 : 0.0;
+            if (std::fabs(across) < 0.025) continue; // so much overlaps
+            EXPECT_NEAR(sample->heightM, heightM, 1e-3) << overM << " m, " << across;
+        }
+    }
+}
+
 TEST(JunctionPaving, TheSectionsSeeARaisedEdgeAndMissingPaving)
 {
     const testsupport::TestFolder folder("paving");
@@ -249,16 +339,14 @@ TEST(JunctionPaving, TheSectionsSeeARaisedEdgeAndMissingPaving)
         edge->elevation = CubicProfile(std::move(pieces));
         EXPECT_GT(faultsOf(placed(raised, folder)).steps, 0u);
     }
-    // As it was before crossings had edges: verges begin within the shoulders, and are paved in places.
-    RoadNetwork bare = sound;
-    for (Road& road : bare.roads)
-        if (isEdge(road))
-        {
-            LaneSection& section = road.sections.front();
-            section.left.clear();
-            std::erase_if(section.right, [](const Lane& lane) { return !isForCars(lane.type); });
-        }
-    EXPECT_GT(faultsOf(placed(bare, folder)).holes, 0u);
+    {
+        // Without the paving of one corner.
+        RoadNetwork open = sound;
+        LaneSection& section = std::find_if(open.roads.begin(), open.roads.end(), isEdge)->sections.front();
+        section.left.clear();
+        std::erase_if(section.right, [](const Lane& lane) { return !isForCars(lane.type); });
+        EXPECT_GT(faultsOf(placed(open, folder)).holes, 0u);
+    }
     // Grass that only keeps off the lanes' borders themselves would stand on nothing else than paving.
     const PlacedNetwork network = placed(sound, folder);
     PavingFaults faults;

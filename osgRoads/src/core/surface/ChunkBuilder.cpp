@@ -71,7 +71,7 @@ void ChunkBuilder::add(double from, double to)
     const auto firstVertex = static_cast<std::uint32_t>(_mesh.vertices.size());
     const std::vector<MeshVertex> strips = _strips.stripsAt(from, place.hasGround);
     for (std::size_t i = 0; i < _rows.rows().size(); i += 2)
-        _vertices.addRow(_rows.rows()[i], place, strips);
+        _vertices.addRow(i, place, strips);
     RoadChunk chunk = chunkOf(from, to, firstVertex);
     _triangles.addLevels(chunk);
     chunk.radius += chunk.levels.front().errorM;

@@ -2,6 +2,7 @@
 #include "ChunkVertices.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -54,6 +55,7 @@ ChunkVertices::ChunkVertices(const PlacedNetwork& network, int road, const LaneS
       _shape(shape),
       _cover(cover),
       _rows(rows),
+      _cut(cover, rows),
       _mesh(mesh)
 {
 }
@@ -77,25 +79,47 @@ bool ChunkVertices::isCovered(const ChunkRow& row, double t, JunctionCover::By b
     return _isAskedCovered = _cover.covers(row.s, t, by);
 }
 
-ChunkVertices::StripOfRow ChunkVertices::stripOf(const ChunkRow& row, const Strip& strip, std::size_t first,
+/// Leaves out what of a strip other roads cover. A skirt, and a strip with both borders covered, is cut at
+/// the half of the way between two vertices.
+void ChunkVertices::cutByOthers(std::size_t row, const Strip& strip, StripOfRow& of) const
+{
+    const std::size_t last = of.first + of.count - 1;
+    const auto presentAt = [&](const StripCut::Place& place, bool isCoveredAcross) -> std::uint8_t
+    {
+        if (strip.isBesideLanes() && !of.isSkirt) return _cut.ofVerge(place, isCoveredAcross);
+        return of.isSkirt || isCoveredAcross ? 0 : _cut.ofLane(place);
+    };
+    if (of.isRightCovered) of.right = presentAt({row, of.first, last}, of.isLeftCovered);
+    if (of.isLeftCovered) of.left = presentAt({row, last, of.first}, of.isRightCovered);
+}
+
+ChunkVertices::StripOfRow ChunkVertices::stripOf(std::size_t rowIndex, const Strip& strip, std::size_t first,
                                                  const ChunkPlace& place)
 {
+    const ChunkRow& row = _rows.rows()[rowIndex];
     StripOfRow of;
     of.first = first;
     of.count = static_cast<std::size_t>(strip.columns);
     of.isSkirt = strip.kind == SurfaceKind::skirt;
+    if (strip.isBesideLanes() && (!place.hasGround || _cover.isWithinPaving(first < 4 ? -1 : 1)))
+    {
+        of.right = of.left = 0;
+        return of;
+    }
     // Pavings of a junction lie over each other in one plane; cut from corner to corner they would have
     // holes.
     const bool isPavingOfJunction =
         strip.lane && strip.lane->type == LaneType::special && _cover.canCoverMarks();
-    of.isCutByOthers = !(strip.lane && isForCars(strip.lane->type)) && !isPavingOfJunction;
-    of.isHidden =
-        (strip.isBesideLanes() && (!place.hasGround || _cover.isWithinPaving(first < 4 ? -1 : 1))) ||
-        (place.isInTunnel && strip.lane && isGround(strip.kind) && isOutsideOfTunnel(*strip.lane, row));
-    if (!of.isCutByOthers && !_cover.canCoverMarks()) return of;
-    const auto by = strip.isBesideLanes() ? JunctionCover::By::paving : JunctionCover::By::carriageway;
-    of.isRightCovered = isCovered(row, row.points[first].t, by);
-    of.isLeftCovered = isCovered(row, row.points[first + of.count - 1].t, by);
+    const bool isCutByOthers = !(strip.lane && isForCars(strip.lane->type)) && !isPavingOfJunction;
+    if (isCutByOthers || _cover.canCoverMarks())
+    {
+        const auto by = strip.isBesideLanes() ? JunctionCover::By::paving : JunctionCover::By::carriageway;
+        of.isRightCovered = isCovered(row, row.points[first].t, by);
+        of.isLeftCovered = isCovered(row, row.points[first + of.count - 1].t, by);
+        if (isCutByOthers) cutByOthers(rowIndex, strip, of);
+    }
+    if (place.isInTunnel && strip.lane && isGround(strip.kind) && isOutsideOfTunnel(*strip.lane, row))
+        of.right = of.left = 0;
     return of;
 }
 
@@ -114,15 +138,16 @@ void ChunkVertices::addStrip(const ChunkRow& row, const ChunkRow& other, const S
         vertex.across = static_cast<float>(row.points[column].across);
         vertex.width = static_cast<float>(row.points[column].width);
         vertex.normal = packed(normalAt(row, other, column, strip.first, strip.count, strip.isSkirt), wear);
-        const bool isCoveredHere = column + 1 == end ? strip.isLeftCovered : strip.isRightCovered;
-        vertex.present = strip.isHidden || (strip.isCutByOthers && isCoveredHere) ? 0 : 255;
+        const double share = static_cast<double>(column - strip.first) / static_cast<double>(strip.count - 1);
+        vertex.present = static_cast<std::uint8_t>(std::lround(std::lerp(strip.right, strip.left, share)));
         _mesh.vertices.push_back(vertex);
     }
 }
 
-void ChunkVertices::addRow(const ChunkRow& row, const ChunkPlace& place,
+void ChunkVertices::addRow(std::size_t rowIndex, const ChunkPlace& place,
                            const std::vector<MeshVertex>& strips)
 {
+    const ChunkRow& row = _rows.rows()[rowIndex];
     const double ahead = row.s + kSlopeStepM < _section.end ? kSlopeStepM : -kSlopeStepM;
     const ChunkRow other = _rows.rowAt(row.s + ahead);
     _askedT = std::numeric_limits<double>::quiet_NaN();
@@ -130,7 +155,7 @@ void ChunkVertices::addRow(const ChunkRow& row, const ChunkPlace& place,
     std::size_t first = 0;
     for (std::size_t i = 0; i < strips.size(); ++i)
     {
-        const StripOfRow strip = stripOf(row, _shape.strips()[i], first, place);
+        const StripOfRow strip = stripOf(rowIndex, _shape.strips()[i], first, place);
         MeshVertex vertex = strips[i];
         vertex.s = static_cast<float>(row.s - place.from);
         addStrip(row, other, strip, vertex);

@@ -8,6 +8,7 @@
 
 #include "ChunkRows.h"
 #include "OpenEnds.h"
+#include "StripCut.h"
 
 namespace osgRoads::core
 {
@@ -27,8 +28,8 @@ public:
                   const CrossSection& shape, const JunctionCover& cover, const ChunkRows& rows,
                   RoadMesh& mesh);
 
-    /// Adds a row. `strips`: what the vertices of each strip have in common (ChunkStrips).
-    void addRow(const ChunkRow& row, const ChunkPlace& place, const std::vector<MeshVertex>& strips);
+    /// Adds a row of the chunk. `strips`: what the vertices of each strip have in common (ChunkStrips).
+    void addRow(std::size_t row, const ChunkPlace& place, const std::vector<MeshVertex>& strips);
 
 private:
     /// One strip of a row, and what covers both of its borders.
@@ -36,13 +37,13 @@ private:
     {
         std::size_t first = 0, count = 0; ///< columns
         bool isSkirt = false, isRightCovered = false, isLeftCovered = false;
-        bool isCutByOthers = false; ///< where it is covered, nothing of it is drawn
-        bool isHidden = false;
+        std::uint8_t right = 255, left = 255; ///< what is drawn at its borders
     };
 
     bool isOutsideOfTunnel(const Lane& lane, const ChunkRow& row) const;
     bool isCovered(const ChunkRow& row, double t, JunctionCover::By by);
-    StripOfRow stripOf(const ChunkRow& row, const Strip& strip, std::size_t first, const ChunkPlace& place);
+    StripOfRow stripOf(std::size_t row, const Strip& strip, std::size_t first, const ChunkPlace& place);
+    void cutByOthers(std::size_t row, const Strip& strip, StripOfRow& of) const;
     void addStrip(const ChunkRow& row, const ChunkRow& other, const StripOfRow& strip, MeshVertex vertex);
 
     const PlacedNetwork& _network;
@@ -52,6 +53,7 @@ private:
     const CrossSection& _shape;
     const JunctionCover& _cover;
     const ChunkRows& _rows;
+    StripCut _cut;
     RoadMesh& _mesh;
     // Two strips share a border, where the answer is the same.
     double _askedT = std::numeric_limits<double>::quiet_NaN();

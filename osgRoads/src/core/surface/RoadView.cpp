@@ -14,17 +14,28 @@ namespace osgRoads::core
 namespace
 {
 
-/// Returns the height of a triangle above a point of the plan view.
-std::optional<double> heightIn(const std::array<glm::dvec3, 3>& corners, glm::dvec2 at)
+/// A corner of a triangle: its place and MeshVertex::present.
+struct Corner
 {
-    const glm::dvec2 a(corners[0]), ab = glm::dvec2(corners[1]) - a, ac = glm::dvec2(corners[2]) - a;
+    glm::dvec3 place{0.0};
+    double present = 0.0;
+};
+
+/// Returns the height of a triangle above a point of the plan view, where it is drawn.
+std::optional<double> heightIn(const std::array<Corner, 3>& corners, glm::dvec2 at)
+{
+    const glm::dvec2 a(corners[0].place), ab = glm::dvec2(corners[1].place) - a,
+                                          ac = glm::dvec2(corners[2].place) - a;
     const double area = ab.x * ac.y - ab.y * ac.x;
     if (!(std::fabs(area) > 1e-12)) return std::nullopt;
     const glm::dvec2 to = at - a;
     const double b = (to.x * ac.y - to.y * ac.x) / area, c = (ab.x * to.y - ab.y * to.x) / area;
-    constexpr double kEdge = 1e-9;
+    constexpr double kEdge = 1e-9, kCut = 127.5;
     if (b < -kEdge || c < -kEdge || b + c > 1.0 + kEdge) return std::nullopt;
-    return corners[0].z + b * (corners[1].z - corners[0].z) + c * (corners[2].z - corners[0].z);
+    const auto between = [&](double first, double second, double third)
+    { return first + b * (second - first) + c * (third - first); };
+    if (between(corners[0].present, corners[1].present, corners[2].present) < kCut) return std::nullopt;
+    return between(corners[0].place.z, corners[1].place.z, corners[2].place.z);
 }
 
 } // namespace
@@ -62,16 +73,14 @@ std::optional<double> drawnHeight(const RoadMesh& mesh, const std::vector<ChunkC
         const ChunkLevel& level = chunk.levels[choice.level];
         for (std::uint32_t i = level.firstIndex; i < level.firstIndex + level.indexCount; i += 3)
         {
-            std::array<glm::dvec3, 3> corners;
-            int present = 0;
+            std::array<Corner, 3> corners;
             for (std::uint32_t j = 0; j < 3; ++j)
             {
                 const MeshVertex& vertex = mesh.vertices[mesh.indices[i + j]];
-                corners[j] = mesh.placeOf(vertex);
-                corners[j].z += liftAt(glm::distance(corners[j], view.eyeWorld), view, settings);
-                present += vertex.present > 0 ? 1 : 0;
+                corners[j] = {mesh.placeOf(vertex), static_cast<double>(vertex.present)};
+                corners[j].place.z += liftAt(glm::distance(corners[j].place, view.eyeWorld), view, settings);
             }
-            const std::optional<double> height = present > 1 ? heightIn(corners, at) : std::nullopt;
+            const std::optional<double> height = heightIn(corners, at);
             if (height && *height <= below && (!highest || *height > *highest)) highest = height;
         }
     }
