@@ -172,7 +172,8 @@ void ScenarioScene::showClouds(const simulation::EnvironmentState& environment, 
                                      : kNone,
                       _groundM);
     const osg::Vec3d wind = windOf(environment);
-    _clouds.show(_air.sunDirectionWorld, osgSky::atmosphereLight(_air).sun,
+    const osgSky::AtmosphereLight light = osgSky::atmosphereLight(_air);
+    _clouds.show(_air.sunDirectionWorld, light.sun * light.adaptation, // as shaders have it
                  {wind.x() * timeS, wind.y() * timeS});
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
+
+#include <foundation/Daylight.h>
+#include <glm/common.hpp>
 
 #include <osg/Math>
 #include <osg/Notify>
@@ -12,6 +14,7 @@
 
 #include <shaders/osgSky.h>
 
+#include "SkyKeys.h"
 #include "SunThroughAir.h"
 
 namespace osgSky
@@ -19,13 +22,6 @@ namespace osgSky
 
 namespace
 {
-
-/// The sky of clear air at one height of the sun.
-struct SkyKey
-{
-    double elevationDeg;
-    osg::Vec3f zenith, horizon, glow;
-};
 
 /// Sunlight above the air. With it, level ground under a sun of 60 degrees is lit in white, as a camera that
 /// is set to daylight shows it: warm by the sun, blue by the sky.
@@ -35,37 +31,10 @@ const osg::Vec3f kSunAboveAir(2.36f, 2.29f, 2.20f);
 constexpr float kHazeLayerM = 1200.0f;
 /// What the ground reflects: grass and soil.
 const osg::Vec3f kGroundAlbedo(0.150f, 0.150f, 0.105f);
-
-// Chosen by eye against photographs: blue by day, warm at the horizon, steel-blue dusk, dark but not black
-// night.
-constexpr int kKeys = 8;
-const std::array<SkyKey, kKeys>& skyKeys()
-{
-    static const std::array<SkyKey, kKeys> keys{{
-        {-18.0, {0.002f, 0.003f, 0.007f}, {0.003f, 0.004f, 0.008f}, {0.0f, 0.0f, 0.0f}},
-        {-8.0, {0.010f, 0.017f, 0.040f}, {0.030f, 0.036f, 0.055f}, {0.04f, 0.02f, 0.02f}},
-        {-3.0, {0.035f, 0.058f, 0.120f}, {0.130f, 0.120f, 0.140f}, {0.35f, 0.15f, 0.08f}},
-        {0.0, {0.060f, 0.100f, 0.210f}, {0.270f, 0.230f, 0.230f}, {0.95f, 0.45f, 0.18f}},
-        {5.0, {0.080f, 0.150f, 0.320f}, {0.420f, 0.420f, 0.450f}, {1.10f, 0.72f, 0.38f}},
-        {15.0, {0.090f, 0.190f, 0.420f}, {0.480f, 0.560f, 0.670f}, {1.00f, 0.88f, 0.68f}},
-        {35.0, {0.095f, 0.215f, 0.490f}, {0.510f, 0.640f, 0.800f}, {0.90f, 0.88f, 0.80f}},
-        {90.0, {0.100f, 0.225f, 0.510f}, {0.520f, 0.660f, 0.830f}, {0.90f, 0.90f, 0.85f}},
-    }};
-    return keys;
-}
-
-SkyKey keyAt(double elevationDeg)
-{
-    const auto& keys = skyKeys();
-    const double e = std::clamp(elevationDeg, keys.front().elevationDeg, keys.back().elevationDeg);
-    int i = 0;
-    while (i < kKeys - 2 && e > keys[i + 1].elevationDeg)
-        ++i;
-    const float t =
-        static_cast<float>((e - keys[i].elevationDeg) / (keys[i + 1].elevationDeg - keys[i].elevationDeg));
-    return {e, mixed(keys[i].zenith, keys[i + 1].zenith, t), mixed(keys[i].horizon, keys[i + 1].horizon, t),
-            mixed(keys[i].glow, keys[i + 1].glow, t)};
-}
+/// What level ground gets of the glow about a low sun, which the colours of the sky leave out.
+constexpr float kGlowOnGround = 0.12f;
+/// Level ground under a full moon, high up. Source: Brown, *Natural illumination charts* (1952).
+constexpr double kFullMoonLx = 0.108;
 
 float luminance(const osg::Vec3f& c)
 {
@@ -87,12 +56,41 @@ osg::Vec3d sunDirectionFromAngles(double azimuthDeg, double elevationDeg)
             std::sin(elevation)};
 }
 
-AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
+namespace
+{
+
+osg::Vec3d unitSun(const AtmosphereSettings& settings)
 {
     osg::Vec3d direction = settings.sunDirectionWorld;
     if (direction.normalize() == 0.0) direction.set(0.0, 0.0, 1.0);
-    const double elevationDeg = osg::RadiansToDegrees(std::asin(std::clamp(direction.z(), -1.0, 1.0)));
-    const SkyKey key = keyAt(elevationDeg);
+    return direction;
+}
+
+double elevationDegOf(const osg::Vec3d& direction)
+{
+    return osg::RadiansToDegrees(std::asin(std::clamp(direction.z(), -1.0, 1.0)));
+}
+
+/// 1 up to 5 degrees, 0 from 15 on, steadily between.
+double lowSunShare(double elevationDeg)
+{
+    constexpr double kLowDeg = 5.0, kHighDeg = 15.0;
+    return 1.0 - glm::smoothstep(kLowDeg, kHighDeg, elevationDeg);
+}
+
+/// What sun and sky give to level ground.
+float levelIrradiance(const AtmosphereLight& light, const osg::Vec3d& towardsSun)
+{
+    return luminance(light.sun * static_cast<float>(std::max(towardsSun.z(), 0.0)) + light.sky);
+}
+
+/// The light as it is shown: of a sun up to 15 degrees more than in nature. Its exposure is that of eyes used
+/// to the day.
+AtmosphereLight shownLight(const AtmosphereSettings& settings)
+{
+    const osg::Vec3d direction = unitSun(settings);
+    const double elevationDeg = elevationDegOf(direction);
+    const SkyKey key = skyAt(elevationDeg);
     const float cloud = static_cast<float>(std::clamp(settings.cloudCover, 0.0, 1.0));
 
     AtmosphereLight light;
@@ -118,13 +116,49 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
     light.zenith = mixed(fog, mixed(key.zenith, overcast * 0.9f, cloud), clear);
     light.horizon = mixed(fog, mixed(key.horizon, overcast, cloud), clear);
     light.sky = light.zenith * 0.65f + light.horizon * 0.25f;
+    // The bright side of a twilit sky. The ground gets little of its colour: red air is only near the sun.
+    const auto twilight = static_cast<float>(lowSunShare(elevationDeg));
+    light.sky += mixed(grey(luminance(light.glow)), light.glow, 0.3f) * (kGlowOnGround * twilight);
     // Brighter than it measures: a pilot's eyes get used to the dark, and a picture's exposure does not.
     const float moon = static_cast<float>(std::clamp((-2.0 - elevationDeg) / 8.0, 0.0, 1.0) *
                                           std::clamp(settings.moonlight, 0.0, 1.0) * (1.0 - 0.8 * cloud));
     light.sky += osg::Vec3f(0.050f, 0.062f, 0.088f) * moon;
     const osg::Vec3f level = light.sun * static_cast<float>(std::max(direction.z(), 0.0)) + light.sky;
     light.ground = osg::componentMultiply(level, kGroundAlbedo);
-    light.exposure = exposureOf(luminance(level));
+    light.exposure = exposureOf(levelIrradiance(light, direction));
+    return light;
+}
+
+/// How much more light is shown than there is, in clear air: 1 with the sun at 15 degrees and higher.
+float adaptationTo(const AtmosphereSettings& settings)
+{
+    const double elevationDeg = elevationDegOf(unitSun(settings));
+    const double share = lowSunShare(elevationDeg);
+    if (share == 0.0) return 1.0f;
+    AtmosphereSettings clear;
+    clear.sunDirectionWorld = settings.sunDirectionWorld;
+    clear.moonlight = settings.moonlight;
+    constexpr double kNoonDeg = 60.0, kShownAtNoon = 1.93;
+    const double shown = levelIrradiance(shownLight(clear), unitSun(clear)) / kShownAtNoon;
+    const double natural =
+        (foundation::daylightLx(elevationDeg) + kFullMoonLx * std::clamp(settings.moonlight, 0.0, 1.0)) /
+        foundation::daylightLx(kNoonDeg);
+    return static_cast<float>(std::max(std::pow(shown / natural, share), 1.0));
+}
+
+} // namespace
+
+AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
+{
+    AtmosphereLight light = shownLight(settings);
+    light.adaptation = adaptationTo(settings);
+    for (osg::Vec3f* const part :
+         {&light.sun, &light.sky, &light.ground, &light.zenith, &light.horizon, &light.glow})
+        *part /= light.adaptation;
+    light.exposure *= light.adaptation;
+    // At this adaptation the light that is drawn for lamps is what they give.
+    constexpr float kLampsAdaptation = 1e4f;
+    light.lampShare = std::min(light.adaptation / kLampsAdaptation, 1.0f);
     return light;
 }
 
@@ -151,21 +185,24 @@ foundation::Outcome Atmosphere::setSettings(const AtmosphereSettings& settings)
 void Atmosphere::update()
 {
     _light = atmosphereLight(_settings);
+    const AtmosphereLight shown =
+        shownLight(_settings); // so are numbers in shaders of a like size by day and night
     osg::Vec3f direction(_settings.sunDirectionWorld);
     if (direction.normalize() == 0.0f) direction.set(0.0f, 0.0f, 1.0f);
     const auto set = [this](const char* name, const osg::Vec3f& value)
     { _stateSet->getOrCreateUniform(name, osg::Uniform::FLOAT_VEC3)->set(value); };
     set("atmosphereSunDirection", direction);
-    set("atmosphereSun", _light.sun);
-    set("atmosphereSky", _light.sky);
-    set("atmosphereGround", _light.ground);
-    set("atmosphereZenith", _light.zenith);
-    set("atmosphereHorizon", _light.horizon);
-    set("atmosphereGlow", _light.glow);
-    set("atmosphereExtinction", _light.extinction);
-    _stateSet->getOrCreateUniform("atmosphereExposure", osg::Uniform::FLOAT)->set(_light.exposure);
+    set("atmosphereSun", shown.sun);
+    set("atmosphereSky", shown.sky);
+    set("atmosphereGround", shown.ground);
+    set("atmosphereZenith", shown.zenith);
+    set("atmosphereHorizon", shown.horizon);
+    set("atmosphereGlow", shown.glow);
+    set("atmosphereExtinction", shown.extinction);
+    _stateSet->getOrCreateUniform("atmosphereExposure", osg::Uniform::FLOAT)->set(shown.exposure);
+    _stateSet->getOrCreateUniform("atmosphereLampShare", osg::Uniform::FLOAT)->set(_light.lampShare);
     _stateSet->getOrCreateUniform("atmosphereLayer", osg::Uniform::FLOAT_VEC2)
-        ->set(osg::Vec2f(static_cast<float>(_settings.hazeBaseM), 1.0f / _light.hazeScaleHeightM));
+        ->set(osg::Vec2f(static_cast<float>(_settings.hazeBaseM), 1.0f / shown.hazeScaleHeightM));
 }
 
 void Atmosphere::addUniformsTo(osg::StateSet& stateSet) const

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include <foundation/Daylight.h>
+
 namespace scenery
 {
 
@@ -14,17 +16,6 @@ namespace
 {
 
 using Row = std::pair<double, double>;
-
-/// Straight between the logarithms of the second numbers, level beyond the ends.
-template<std::size_t kRows>
-double between(const std::array<Row, kRows>& rows, double at)
-{
-    std::size_t i = 0;
-    while (i + 2 < kRows && at > rows[i + 1].first)
-        ++i;
-    const double share = std::clamp((at - rows[i].first) / (rows[i + 1].first - rows[i].first), 0.0, 1.0);
-    return std::exp(std::lerp(std::log(rows[i].second), std::log(rows[i + 1].second), share));
-}
 
 } // namespace
 
@@ -37,23 +28,13 @@ double leastIlluminanceLx(double backgroundCdM2)
 {
     // By the logarithm of the background: 6.85, √(50·999), √(1000·12000) and 30000 cd/m².
     static constexpr std::array<Row, 4> kRows{{{0.836, 8e-7}, {2.349, 1e-5}, {3.540, 1e-4}, {4.477, 1e-3}}};
-    return between(kRows, std::log10(std::max(backgroundCdM2, 1e-6)));
+    return foundation::betweenLogarithms(kRows, std::log10(std::max(backgroundCdM2, 1e-6)));
 }
 
 double backgroundCdM2(double sunElevationDeg, double cloudCover)
 {
-    static constexpr std::array<Row, 10> kLevelLx{{{-18.0, 6.5e-4},
-                                                   {-12.0, 8.3e-3},
-                                                   {-8.0, 0.6},
-                                                   {-6.0, 3.4},
-                                                   {-3.0, 60.0},
-                                                   {0.0, 700.0},
-                                                   {5.0, 6000.0},
-                                                   {15.0, 23000.0},
-                                                   {35.0, 66000.0},
-                                                   {90.0, 124000.0}}};
     const double overcast = std::lerp(1.0, 0.15, std::clamp(cloudCover, 0.0, 1.0));
-    return between(kLevelLx, sunElevationDeg) * overcast / std::numbers::pi;
+    return foundation::daylightLx(sunElevationDeg) * overcast / std::numbers::pi;
 }
 
 double visibleRangeM(double candela, double visibilityM, double leastLx)

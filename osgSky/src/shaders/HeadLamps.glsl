@@ -9,6 +9,7 @@
 
 #ifdef HEAD_LAMPS
 uniform vec3 headLampAt;   // in the world, between the lamps
+uniform float atmosphereLampShare; // what an eye that is used to the light about sees of lamps
 uniform mat3 headLampAxes; // from world axes to ahead, left, up of the vehicle
 #endif
 
@@ -28,7 +29,7 @@ vec3 headLight(vec3 fromEyeWorld, vec3 normalWorld)
     float beam = mix(1.0, 1.0 / (max(below, 0.0) + 0.03), smoothstep(-0.004, 0.012, below));
     // Little goes down steeply: the road right before the car is no brighter than that a few lengths ahead.
     beam /= 1.0 + 100.0 * below * below;
-    return vec3(1.0, 0.94, 0.82) * (28.0 * spread * beam * facing / (distanceM * sqrt(distanceM)));
+    return vec3(1.0, 0.94, 0.82) * (28.0 * atmosphereLampShare * spread * beam * facing / (distanceM * sqrt(distanceM)));
 #else
     return vec3(0.0);
 #endif

@@ -63,6 +63,14 @@ vec2 facingLight(int layer, vec4 slab, vec3 at, float away)
     return mix(vec2(1.0), shares, thick);
 }
 
+// Sheets thin out upwards, so that who climbs out of one is not in the light at once; heaps have firm tops. `height`: 0 ... 1 in the layer.
+float topOf(vec4 slab, float height)
+{
+    const float kThinning = 0.12; // of the height of the layer
+    float sheet = clamp(2.0 - slab.w / 4.0, 0.0, 1.0);
+    return mix(1.0, smoothstep(0.0, kThinning, 1.0 - height), sheet);
+}
+
 void throughLayer(int layer, vec3 eye, vec3 towards, float jitter, inout Ray ray)
 {
     vec4 slab = cloudSlab[layer];
@@ -91,7 +99,7 @@ void throughLayer(int layer, vec3 eye, vec3 towards, float jitter, inout Ray ray
         }
         float within = (found.r * 255.0 - 128.0) / 127.0;
         within -= carvedAway(at, within, t, slab.w);
-        float density = clamp(within * slab.w, 0.0, 1.0) * smoothstep(0.0, 0.03, height);
+        float density = clamp(within * slab.w, 0.0, 1.0) * smoothstep(0.0, 0.03, height) * topOf(slab, height);
         float hidden = 1.0 - exp(-slab.z * density * stride);
         if (ray.facing.x == 0.0 && hidden > 0.0) ray.facing = facingLight(layer, slab, at, t);
         vec3 lit = sun * (found.g * ray.facing.x) + mix(fromGround, fromSky, 0.35 + 0.65 * height) * ((0.30 + 0.70 * found.b) * ray.facing.y);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +102,45 @@ TEST(Atmosphere, TheExposureFollowsTheLightByAPart)
     EXPECT_NEAR(card(noon, 60.0), 118.0f, 3.0f);
     EXPECT_EQ(exposureOf(1e-9f), exposureOf(0.0f)) << "and the night has an end";
     EXPECT_EQ(exposureOf(100.0f), exposureOf(2.0f)) << "as has the day";
+}
+
+TEST(Atmosphere, DuskIsAsDarkAsInNature)
+{
+    // Bond and Henderson 1963, in lux; 88 000 at 60 degrees. A full moon: Brown 1952.
+    const auto level = [](double elevationDeg, double moonlight)
+    {
+        AtmosphereSettings settings = withSun(elevationDeg);
+        settings.moonlight = moonlight;
+        const AtmosphereLight light = atmosphereLight(settings);
+        const double sine = std::max(std::sin(osg::DegreesToRadians(elevationDeg)), 0.0);
+        return light.sun.y() * sine + light.sky.y();
+    };
+    const double noon = level(60.0, 0.0);
+    for (const auto& [elevationDeg, lux] :
+         {std::pair{5.0, 6000.0}, {0.0, 700.0}, {-3.0, 60.0}, {-6.0, 3.4}, {-12.0, 8.3e-3}})
+        EXPECT_NEAR(level(elevationDeg, 0.0) / noon * 88000.0 / lux, 1.0, 0.15) << elevationDeg;
+    EXPECT_NEAR(level(-30.0, 1.0) / noon * 88000.0 / 0.108, 1.0, 0.15) << "a full moon";
+}
+
+TEST(Atmosphere, AnEyeUsedToTheDarkSeesLampsAndItsPictureStaysAsBright)
+{
+    EXPECT_EQ(atmosphereLight(withSun(15.0)).adaptation, 1.0f);
+    EXPECT_LT(atmosphereLight(withSun(0.0)).lampShare, 0.005f) << "head lamps at sunset";
+    EXPECT_NEAR(atmosphereLight(withSun(-6.0)).lampShare, 0.09f, 0.03f);
+    EXPECT_EQ(atmosphereLight(withSun(-20.0)).lampShare, 1.0f);
+    AtmosphereLight before = atmosphereLight(withSun(16.0));
+    for (int tenths = 159; tenths > -180; --tenths)
+    {
+        const AtmosphereLight light = atmosphereLight(withSun(0.1 * tenths));
+        EXPECT_GE(light.adaptation, 0.98f * before.adaptation) << 0.1 * tenths;
+        EXPECT_LT(light.adaptation, 1.3f * before.adaptation) << 0.1 * tenths;
+        EXPECT_LE(light.exposure / light.adaptation, 2.35f) << 0.1 * tenths;
+        before = light;
+    }
+    const osg::ref_ptr<Atmosphere> air = new Atmosphere(withSun(-20.0));
+    osg::Vec3f shown;
+    air->stateSet()->getUniform("atmosphereSky")->get(shown);
+    EXPECT_NEAR(shown.y(), air->light().sky.y() * air->light().adaptation, 1e-6f);
 }
 
 TEST(Atmosphere, LightChangesSteadilyWithTheSun)

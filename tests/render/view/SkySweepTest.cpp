@@ -22,9 +22,9 @@ using measurement::largestStep;
 using measurement::SkyPictures;
 using measurement::sunAtShare;
 
-constexpr double kMostStep = 0.02;    ///< of white
-constexpr double kMostSunStep = 0.03; ///< in twilight: half a degree of the sun is 2.8 % there
-constexpr double kNoFall = 0.02;      ///< of the light before: rounding of pixels
+constexpr double kMostStep = 0.02;     ///< of white
+constexpr double kMostSunStep = 0.012; ///< half a degree of the sun
+constexpr double kNoFall = 0.02;       ///< of the light before: rounding of pixels
 
 measurement::SkySweep sweep(const std::function<AtmosphereSettings(double)>& settingsAt,
                             const glm::dvec3& towards)
