@@ -79,9 +79,9 @@ double lowSunShare(double elevationDeg)
 }
 
 /// What sun and sky give to level ground.
-float levelIrradiance(const AtmosphereLight& light, const osg::Vec3d& towardsSun)
+osg::Vec3f levelLight(const AtmosphereLight& light, const osg::Vec3d& towardsSun)
 {
-    return luminance(light.sun * static_cast<float>(std::max(towardsSun.z(), 0.0)) + light.sky);
+    return light.sun * static_cast<float>(std::max(towardsSun.z(), 0.0)) + light.sky;
 }
 
 /// The light as it is shown: of a sun up to 15 degrees more than in nature. Its exposure is that of eyes used
@@ -123,9 +123,9 @@ AtmosphereLight shownLight(const AtmosphereSettings& settings)
     const float moon = static_cast<float>(std::clamp((-2.0 - elevationDeg) / 8.0, 0.0, 1.0) *
                                           std::clamp(settings.moonlight, 0.0, 1.0) * (1.0 - 0.8 * cloud));
     light.sky += osg::Vec3f(0.050f, 0.062f, 0.088f) * moon;
-    const osg::Vec3f level = light.sun * static_cast<float>(std::max(direction.z(), 0.0)) + light.sky;
+    const osg::Vec3f level = levelLight(light, direction);
     light.ground = osg::componentMultiply(level, kGroundAlbedo);
-    light.exposure = exposureOf(levelIrradiance(light, direction));
+    light.exposure = exposureOf(luminance(level));
     return light;
 }
 
@@ -139,18 +139,16 @@ float adaptationTo(const AtmosphereSettings& settings)
     clear.sunDirectionWorld = settings.sunDirectionWorld;
     clear.moonlight = settings.moonlight;
     constexpr double kNoonDeg = 60.0, kShownAtNoon = 1.93;
-    const double shown = levelIrradiance(shownLight(clear), unitSun(clear)) / kShownAtNoon;
+    const double shown = luminance(levelLight(shownLight(clear), unitSun(clear))) / kShownAtNoon;
     const double natural =
         (foundation::daylightLx(elevationDeg) + kFullMoonLx * std::clamp(settings.moonlight, 0.0, 1.0)) /
         foundation::daylightLx(kNoonDeg);
     return static_cast<float>(std::max(std::pow(shown / natural, share), 1.0));
 }
 
-} // namespace
-
-AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
+/// The light as it is in nature, of the light that is shown for the same settings.
+AtmosphereLight naturalLight(AtmosphereLight light, const AtmosphereSettings& settings)
 {
-    AtmosphereLight light = shownLight(settings);
     light.adaptation = adaptationTo(settings);
     for (osg::Vec3f* const part :
          {&light.sun, &light.sky, &light.ground, &light.zenith, &light.horizon, &light.glow})
@@ -160,6 +158,13 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
     constexpr float kLampsAdaptation = 1e4f;
     light.lampShare = std::min(light.adaptation / kLampsAdaptation, 1.0f);
     return light;
+}
+
+} // namespace
+
+AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
+{
+    return naturalLight(shownLight(settings), settings);
 }
 
 Atmosphere::Atmosphere(const AtmosphereSettings& settings) : _stateSet(new osg::StateSet)
@@ -184,9 +189,9 @@ foundation::Outcome Atmosphere::setSettings(const AtmosphereSettings& settings)
 /// Sets the uniforms from the settings.
 void Atmosphere::update()
 {
-    _light = atmosphereLight(_settings);
-    const AtmosphereLight shown =
-        shownLight(_settings); // so are numbers in shaders of a like size by day and night
+    // Shaders have what is shown: numbers of a like size by day and night.
+    const AtmosphereLight shown = shownLight(_settings);
+    _light = naturalLight(shown, _settings);
     osg::Vec3f direction(_settings.sunDirectionWorld);
     if (direction.normalize() == 0.0f) direction.set(0.0f, 0.0f, 1.0f);
     const auto set = [this](const char* name, const osg::Vec3f& value)
