@@ -2,11 +2,13 @@
 #include <osg/FrameBufferObject>
 
 #include <osgOffscreen/FrameBuffer>
+#include <osgOffscreen/ProcessorDrawing>
 
 namespace osgOffscreen
 {
 
-bool FrameBuffer::create(const osg::GLExtensions& gl, int widthPx, int heightPx, int samples)
+bool FrameBuffer::create(const osg::GLExtensions& gl, int widthPx, int heightPx, int samples,
+                         Sampling sampling)
 {
     if (!gl.isFrameBufferObjectSupported || !gl.glBlitFramebuffer || widthPx < 1 || heightPx < 1)
         return false;
@@ -14,11 +16,17 @@ bool FrameBuffer::create(const osg::GLExtensions& gl, int widthPx, int heightPx,
     GLint mostSamples = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE_EXT, &largest);
     glGetIntegerv(GL_MAX_SAMPLES_EXT, &mostSamples);
-    if (widthPx > largest || heightPx > largest || samples < 0 || samples > mostSamples) return false;
+    if (samples < 0 || samples > mostSamples) return false;
+    const GLubyte* const renderer = glGetString(GL_RENDERER);
+    const int side = sampling == Sampling::cheapest && renderer
+                         ? pixelsInPlaceOf(samples, reinterpret_cast<const char*>(renderer))
+                         : 1;
+    if (widthPx > largest / side || heightPx > largest / side) return false;
 
     _widthPx = widthPx;
     _heightPx = heightPx;
-    _samples = samples > 1 ? samples : 0;
+    _drawnSide = side;
+    _samples = samples > 1 && side == 1 ? samples : 0;
     const bool complete = createOne(gl, 0, _samples) && (_samples == 0 || createOne(gl, 1, 0));
     if (!complete) destroy(gl);
     return complete;
@@ -34,8 +42,8 @@ bool FrameBuffer::createOne(const osg::GLExtensions& gl, int index, int samples)
     {
         gl.glBindRenderbuffer(GL_RENDERBUFFER_EXT, buffers[part]);
         gl.glRenderbufferStorageMultisample(GL_RENDERBUFFER_EXT, samples,
-                                            part == 0 ? GL_RGBA8 : GL_DEPTH24_STENCIL8_EXT, _widthPx,
-                                            _heightPx);
+                                            part == 0 ? GL_RGBA8 : GL_DEPTH24_STENCIL8_EXT,
+                                            _drawnSide * _widthPx, _drawnSide * _heightPx);
         gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER_EXT,
                                      part == 0 ? GL_COLOR_ATTACHMENT0_EXT : GL_DEPTH_STENCIL_ATTACHMENT,
                                      GL_RENDERBUFFER_EXT, buffers[part]);

@@ -124,7 +124,8 @@ bool OffscreenContext::realizeImplementation()
     }
     if (gl && recent)
     {
-        drawable = _frameBuffer.create(*gl, _settings.widthPx, _settings.heightPx, _settings.samples);
+        drawable = _frameBuffer.create(*gl, _settings.widthPx, _settings.heightPx, _settings.samples,
+                                       _settings.sampling);
     }
     if (drawable)
     {

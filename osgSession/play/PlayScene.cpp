@@ -99,9 +99,8 @@ void setTolerance(SceneTerrain& terrain, double tolerancePx)
     if (terrain.roads) setRoadTolerance(*terrain.node, tolerancePx);
 }
 
-void setQuality(PlayScene& play, Quality quality)
+void setQuality(PlayScene& play, const QualityRules& rules)
 {
-    const QualityRules rules = rulesOf(quality);
     play.scene->setQuality(rules);
     if (play.cover) play.cover->setReaches(rules.coverReaches);
     if (play.skyShade) play.skyShade->setShown(rules.hasSkyShade);
@@ -235,7 +234,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     if (play.cover) play.scene->sunlit().addChild(play.cover->node());
     play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->occluders : nullptr);
     if (play.skyShade) play.scene->sunlit().addChild(play.skyShade->node());
-    trainer::setQuality(play, request.frames.quality);
+    trainer::setQuality(play, rulesOf(request.frames.quality));
     request.terrain.opening->end("cover");
     return play;
 }

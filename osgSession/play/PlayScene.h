@@ -57,8 +57,8 @@ struct PlayScene
 /// repeat.
 inline constexpr int kSeatStepsPerSecond = 120;
 
-/// Draws with this quality from the next picture on. Terrain and roads keep their tolerance.
-void setQuality(PlayScene& play, Quality quality);
+/// Draws by these rules from the next picture on. Terrain and roads keep their tolerance.
+void setQuality(PlayScene& play, const QualityRules& rules);
 
 /// Lets terrain and roads err by so many pixels from the next picture on.
 void setTolerance(SceneTerrain& terrain, double tolerancePx);

@@ -134,13 +134,17 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     {
         const auto context = osgOffscreen::OffscreenContext::create(
             {_request.frames.backend, picture.widthPx, picture.heightPx, _request.frames.samples,
-             osgOffscreen::kEverythingNeeds});
+             osgOffscreen::kEverythingNeeds, osgOffscreen::FrameBuffer::Sampling::cheapest});
         if (!context) return context.error();
+        _drawnSide = (*context)->drawnSide(); // of one driver
         _contexts.push_back(*context);
     }
     _viewer = makeViewer(_play.scene->root());
     _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
-    _rig->setDrawnSide(rulesOf(_request.frames.quality).drawnSide);
+    const QualityRules rules = drawnBy(rulesOf(_request.frames.quality), _drawnSide);
+    _rig->setDrawnSide(rules.drawnSide);
+    setQuality(_play, rules);
+    setTolerance(_play.terrain, _drawnSide * _request.terrain.errorTolerancePx);
     if (_request.frames.showsInterior(false)) _interior = SceneInterior::create(_play, *_viewer, *_rig);
     keepCameraTimings(*_viewer);
     // Patches and samples between those of the raster, as roads have them, exclude each other.
@@ -309,6 +313,7 @@ FrameStatistics PlaySession::measured()
             row.adaptUs += group.stallUs;
             row.maxErrorPx = _play.terrain.terrain->settings().errorTolerancePx;
         }
+    row.maxErrorPx /= _drawnSide; // of the picture's
     // A group that has gone takes its count with it.
     row.uploadBytes = uploadedBytes - std::min(uploadedBytes, _uploadedBytes);
     _uploadedBytes = uploadedBytes;

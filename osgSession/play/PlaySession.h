@@ -80,6 +80,7 @@ private:
     std::unique_ptr<OwnshipEye> _eye;
     osg::ref_ptr<osgViewer::Viewer> _viewer;
     std::vector<osg::ref_ptr<osg::GraphicsContext>> _contexts;
+    int _drawnSide = 1; ///< OffscreenContext::drawnSide() of each
     std::unique_ptr<ChannelRig> _rig;
     std::unique_ptr<SceneInterior> _interior; ///< null: not drawn
     std::vector<std::unique_ptr<osgOffscreen::FrameCapture>> _captures;

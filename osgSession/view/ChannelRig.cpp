@@ -20,7 +20,9 @@ osg::Matrixd toOsg(const glm::dmat4& matrix)
 PicturePlace placeOf(const Channel& channel, int leftPx, double drawnSide)
 {
     const auto drawn = [=](int px) { return std::max(static_cast<int>(std::lround(drawnSide * px)), 1); };
-    return {leftPx, drawn(channel.widthPx), drawn(channel.heightPx), channel.widthPx, channel.heightPx};
+    const int drawnLeftPx = drawnSide > 1.0 ? static_cast<int>(std::lround(drawnSide * leftPx)) : leftPx;
+    return {leftPx,          drawnLeftPx,     drawn(channel.widthPx), drawn(channel.heightPx),
+            channel.widthPx, channel.heightPx};
 }
 
 } // namespace
@@ -61,7 +63,10 @@ void ChannelRig::shape()
     {
         const Channel& channel = _setup.channels[i];
         const PicturePlace place = placeOf(channel, isTiled ? leftPx : 0, _drawnSide);
-        _cameras[i]->setViewport(place.leftPx, 0, place.drawnWidthPx, place.drawnHeightPx);
+        _cameras[i]->setViewport(place.drawnLeftPx, 0, place.drawnWidthPx, place.drawnHeightPx);
+        _cameras[i]->getOrCreateStateSet()->addUniform(
+            new osg::Uniform("drawnPixels", static_cast<float>(std::max(std::ceil(_drawnSide), 1.0))),
+            osg::StateAttribute::OVERRIDE);
         _enlarged[i].fit(place);
         _cameras[i]->setProjectionMatrix(toOsg(channelProjection(channel, _setup.nearM, _setup.farM)));
         leftPx += channel.widthPx;

@@ -30,8 +30,8 @@ public:
     /// Takes other sizes, frustums, near and far planes of the same channels, for a window that has changed.
     void reshape(ViewSetup setup);
 
-    /// Draws a share of the pixels along each side, above 0 and at most 1; EnlargedPicture spreads them over
-    /// the whole picture.
+    /// Draws a share of the pixels along each side, above 0; EnlargedPicture shows them as the whole picture.
+    /// Above 1 the contexts' framebuffers must be as much larger (osgOffscreen::FrameBuffer::drawnSide()).
     void setDrawnSide(double share);
 
     const ViewSetup& setup() const { return _setup; }

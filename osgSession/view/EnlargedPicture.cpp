@@ -28,7 +28,18 @@ void main()
 constexpr const char* kFragmentText = R"(#version 330 compatibility
 in vec2 at;
 uniform sampler2D drawn;
-void main() { gl_FragColor = vec4(texture(drawn, at).rgb, 1.0); }
+uniform bool isTwice; // as many pixels are drawn along each side
+void main()
+{
+    vec3 mean = texture(drawn, at).rgb;
+    if (isTwice)
+    {
+        ivec2 first = 2 * ivec2(at * vec2(textureSize(drawn, 0) / 2));
+        mean = 0.25 * (texelFetch(drawn, first, 0).rgb + texelFetch(drawn, first + ivec2(1, 0), 0).rgb
+                       + texelFetch(drawn, first + ivec2(0, 1), 0).rgb + texelFetch(drawn, first + ivec2(1, 1), 0).rgb);
+    }
+    gl_FragColor = vec4(mean, 1.0);
+}
 )";
 
 osg::ref_ptr<osg::Texture2D> pictureOf(const PicturePlace& place)
@@ -73,6 +84,9 @@ public:
         _place = place;
         const osg::ref_ptr<osg::Texture2D> texture = pictureOf(place);
         getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
+        const bool isTwice =
+            place.drawnWidthPx == 2 * place.widthPx && place.drawnHeightPx == 2 * place.heightPx;
+        getOrCreateStateSet()->getOrCreateUniform("isTwice", osg::Uniform::BOOL)->set(isTwice);
         _copy = new osg::FrameBufferObject;
         _copy->setAttachment(osg::Camera::COLOR_BUFFER, osg::FrameBufferAttachment(texture));
     }
@@ -98,7 +112,7 @@ private:
         _copy->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
         gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(picture));
         const int right = _place.drawnWidthPx, up = _place.drawnHeightPx;
-        gl.glBlitFramebuffer(_place.leftPx, 0, _place.leftPx + right, up, 0, 0, right, up,
+        gl.glBlitFramebuffer(_place.drawnLeftPx, 0, _place.drawnLeftPx + right, up, 0, 0, right, up,
                              GL_COLOR_BUFFER_BIT, GL_NEAREST);
         gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(picture));
     }

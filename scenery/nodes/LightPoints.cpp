@@ -62,6 +62,7 @@ osg::ref_ptr<osg::StateSet> lightState()
     state->setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
     state->setMode(GL_VERTEX_PROGRAM_POINT_SIZE, osg::StateAttribute::ON);
+    state->addUniform(new osg::Uniform("drawnPixels", 1.0F));    // cameras tell other sides
     state->setTextureAttributeAndModes(0, new osg::PointSprite); // squares, with four samples, too
     state->setRenderBinDetails(11, "DepthSortedBin");            // after what is blended
     return state;

@@ -92,6 +92,7 @@ osg::ref_ptr<osg::Node> makeStars()
     const osg::ref_ptr<osg::Node> stars = inTheSky("stars", points, shaders::kStarsVert, shaders::kStarsMain);
     osg::StateSet* const state = stars->getStateSet();
     state->setMode(GL_VERTEX_PROGRAM_POINT_SIZE, osg::StateAttribute::ON);
+    state->addUniform(new osg::Uniform("drawnPixels", 1.0F)); // cameras tell other sides
     state->setTextureAttributeAndModes(0, new osg::PointSprite);
     state->setRenderBinDetails(osgTraversal::DrawOrder::kSky + 1, "RenderBin");
     return stars;

@@ -5,6 +5,7 @@
 
 #include <osgOffscreen/ImageComparison>
 #include <osgOffscreen/OffscreenViewer>
+#include <osgOffscreen/ProcessorDrawing>
 
 #include "RenderedPicture.h"
 
@@ -179,4 +180,27 @@ TEST(Backend, IsNamedAndParsed)
     const auto wrong = osgOffscreen::parseBackend("glx");
     ASSERT_FALSE(wrong);
     EXPECT_NE(wrong.error().message().find("glx"), std::string::npos);
+}
+
+TEST(OffscreenContext, HasPixelsInPlaceOfSamplesWhereTheProcessorDrawsAndSomebodyAsks)
+{
+    for (const Backend backend : backends())
+    {
+        OffscreenSettings settings = oddSettings(backend, 4);
+        const auto sideOf = [&]
+        {
+            const auto made = OffscreenContext::create(settings);
+            if (!made) ADD_FAILURE() << made.error().message();
+            return made ? (*made)->drawnSide() : 0;
+        };
+        EXPECT_EQ(sideOf(), 1) << "nobody asked";
+        settings.sampling = osgOffscreen::FrameBuffer::Sampling::cheapest;
+        const auto made = OffscreenContext::create(settings);
+        ASSERT_TRUE(made);
+        const bool isProcessor = osgOffscreen::drawsOnProcessor((*made)->rendererName());
+        EXPECT_EQ((*made)->drawnSide(), isProcessor ? 2 : 1) << (*made)->rendererName();
+        settings.samples = 1;
+        EXPECT_EQ(sideOf(), 1) << "one sample";
+    }
+    EXPECT_EQ(osgOffscreen::pixelsInPlaceOf(4, "NVIDIA H200"), 1);
 }

@@ -101,7 +101,7 @@ foundation::Outcome WindowSession::openPictures()
     const osg::GraphicsContext::Traits& traits = *_window->getTraits();
     _rig = std::make_unique<ChannelRig>(*_viewer, singleChannel(traits.width, traits.height),
                                         std::vector<osg::ref_ptr<osg::GraphicsContext>>{_window});
-    _rig->setDrawnSide(rulesOf(_request.frames.quality).drawnSide);
+    drawAsChosen();
     if (const simulation::DynamicVehicle* const vehicle = instrumented())
     {
         _hud = std::make_unique<Hud>(hudLayoutOf(*vehicle, _request.window.units));
@@ -125,6 +125,7 @@ foundation::Outcome WindowSession::openPictures()
     _capture = std::move(*capture);
     _buffer = WindowBuffer::begin(*_window, static_cast<int>(traits.samples));
     _pictures->readFrom(_buffer);
+    drawAsChosen();
     return foundation::success();
 }
 

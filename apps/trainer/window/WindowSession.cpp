@@ -136,14 +136,17 @@ void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun, 
                measurement::processorMs() - usedMs);
     // Time that counts by pictures gives the same ones on every machine.
     if (_request.window.pictureS > 0.0 || _isHidden) return;
-    const Quality before = _quality.quality();
-    if (!_quality.add(_times.lastMs())) return;
-    if (_quality.quality() != before)
-    {
-        setQuality(_play, _quality.quality());
-        _rig->setDrawnSide(rulesOf(_quality.quality()).drawnSide);
-    }
-    setTolerance(_play.terrain, _quality.tolerancePx());
+    if (_quality.add(_times.lastMs())) drawAsChosen();
+}
+
+/// Draws by the quality and with the tolerance that are chosen.
+void WindowSession::drawAsChosen()
+{
+    const int side = _buffer ? _buffer->buffer().drawnSide() : 1;
+    const QualityRules rules = drawnBy(rulesOf(_quality.quality()), side);
+    setQuality(_play, rules);
+    _rig->setDrawnSide(rules.drawnSide);
+    setTolerance(_play.terrain, side * _quality.tolerancePx());
 }
 
 /// Time goes on where nobody sees the window, but nothing is drawn. Keys that are held where another window
@@ -183,6 +186,7 @@ void WindowSession::finishCapture()
     if (!_capture) return;
     if (_buffer) _buffer->release();
     _pictures->readFrom(_buffer = nullptr);
+    drawAsChosen();
     if (const auto captured = _capture->finish(); !captured && _failed) _failed = captured.error();
     _capture.reset();
 }

@@ -68,6 +68,7 @@ private:
     void openSound();
     void sound();
     void measurePicture(std::chrono::steady_clock::time_point begun, double usedMs);
+    void drawAsChosen();
     foundation::Outcome openDevices();
     void readDevicesNow();
     void restart(std::size_t place);

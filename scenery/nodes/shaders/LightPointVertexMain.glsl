@@ -8,6 +8,7 @@
 flat out vec3 exposed; // what a pixel would get with the whole light
 flat out float spreadPx;
 uniform sampler2D lightBeams; // shares of intensity: aside from -180 to 180 degrees, and in the next row up from -90 to 90
+uniform float drawnPixels; // along each side of a pixel of the picture
 uniform float lightLeastLx, lightTimeS, lightDayS, lightLevels[12];
 const float kSeenFlux = 0.002;        // of a lamp that an eye just sees: one or two levels of 255 where it falls between pixels
 const float kMostLight = 1.6;         // of the brightest pixel: nearly white
@@ -51,7 +52,7 @@ void main()
     float flux = kSeenFlux * times;
     spreadPx = clamp(sqrt(0.5625 * flux / kMostLight), 1.0, kMostSpreadPx);
     exposed = colour * min(flux / (spreadPx * spreadPx), 2.5 * kMostLight);
-    gl_PointSize = 3.0 * spreadPx + 1.0; // and half a pixel on each side, so that all samples of a touched pixel are within
+    gl_PointSize = drawnPixels * (3.0 * spreadPx + 1.0); // and half a pixel on each side, so that all samples of a touched pixel are within
     // Towards the eye: before the ground or the wall that it stands on, with all of its glare.
     inView.xyz *= 1.0 - min(0.3, 0.4 / distanceM + 0.002 + 0.02 * (spreadPx - 1.0));
     gl_Position = times > 0.0 ? gl_ProjectionMatrix * inView : vec4(0.0, 0.0, 2.0, 1.0);

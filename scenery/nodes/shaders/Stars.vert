@@ -6,6 +6,7 @@ out vec3 starColour;
 out float sizePx;
 uniform mat3 worldFromStars;
 uniform float faintestSeen;
+uniform float drawnPixels; // along each side of a pixel of the picture
 uniform mat4 osg_ViewMatrix;
 void main()
 {
@@ -20,6 +21,6 @@ void main()
     float peak = pow(10.0, -0.15 * (magnitude + 0.2)) * seen;
     sizePx = 2.6 + 0.8 * max(2.0 - magnitude, 0.0);
     starColour = gl_Color.rgb * min(peak, 1.3);
-    gl_PointSize = sizePx;
+    gl_PointSize = drawnPixels * sizePx;
     if (peak < 0.01) gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside the picture
 }

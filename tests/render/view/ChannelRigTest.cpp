@@ -42,6 +42,7 @@ struct Drawing
     double side = 1.0; ///< the share of them along each side
     int samples = 1;
     bool isSpread = true;
+    bool isCheapest = false; ///< pixels may be in place of samples
 };
 
 std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& setup, const scenery::Pose& eye,
@@ -55,6 +56,7 @@ std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& se
         settings.widthPx = shape.widthPx;
         settings.heightPx = shape.heightPx;
         settings.samples = drawing.samples;
+        if (drawing.isCheapest) settings.sampling = osgOffscreen::FrameBuffer::Sampling::cheapest;
         auto made = osgOffscreen::OffscreenContext::create(settings);
         if (!made) ADD_FAILURE() << made.error().message();
         const std::size_t index = contexts.size();
@@ -186,6 +188,55 @@ TEST(ChannelRig, EachOfTiledPicturesIsSpreadInItsPlace)
     const CarOnGround scene;
     const auto tiled = draw(scene.root, halves(ViewSetup::Layout::tiled), scene.eye, {.side = 0.75});
     const auto separate = draw(scene.root, halves(ViewSetup::Layout::separate), scene.eye, {.side = 0.75});
+    for (const unsigned i : {0U, 1U})
+    {
+        const auto difference = compareImages(*cut(*tiled[0], 160 * i, 160), *separate[i]);
+        EXPECT_TRUE(difference.identical()) << difference.message();
+    }
+}
+
+namespace
+{
+
+/// The means of squares of 2 x 2 pixels.
+osg::ref_ptr<osg::Image> halved(const osg::Image& picture)
+{
+    osg::ref_ptr<osg::Image> half = new osg::Image;
+    half->allocateImage(picture.s() / 2, picture.t() / 2, 1, GL_RGB, GL_UNSIGNED_BYTE, 1);
+    for (int y = 0; y < half->t(); ++y)
+        for (int x = 0; x < 3 * half->s(); ++x)
+        {
+            int sum = 2; // rounds
+            for (const int row : {2 * y, 2 * y + 1})
+                for (const int column : {2 * (x / 3), 2 * (x / 3) + 1})
+                    sum += picture.data(0, row)[3 * column + x % 3];
+            half->data(0, y)[x] = static_cast<unsigned char>(sum / 4);
+        }
+    return half;
+}
+
+} // namespace
+
+TEST(ChannelRig, FourPixelsInPlaceOfSamplesAreShownAsTheirMean)
+{
+    const CarOnGround scene;
+    const auto large = draw(scene.root, trainer::singleChannel(320, 160), scene.eye);
+    const Drawing drawing{.side = 2.0, .samples = 4, .isCheapest = true};
+    const auto shown = draw(scene.root, trainer::singleChannel(160, 80), scene.eye, drawing);
+    ASSERT_EQ(shown[0]->s(), 160);
+    const auto difference = compareImages(*halved(*large[0]), *shown[0]);
+    EXPECT_TRUE(difference.within(160U * 80U, 1)) << difference.message();
+    const auto plain = draw(scene.root, trainer::singleChannel(160, 80), scene.eye);
+    EXPECT_FALSE(compareImages(*halved(*large[0]), *plain[0]).within(160U * 80U, 1))
+        << "the bound sees edges";
+}
+
+TEST(ChannelRig, EachOfTiledPicturesHasItsOwnPixelsInPlaceOfSamples)
+{
+    const CarOnGround scene;
+    const Drawing drawing{.side = 2.0, .samples = 4, .isCheapest = true};
+    const auto tiled = draw(scene.root, halves(ViewSetup::Layout::tiled), scene.eye, drawing);
+    const auto separate = draw(scene.root, halves(ViewSetup::Layout::separate), scene.eye, drawing);
     for (const unsigned i : {0U, 1U})
     {
         const auto difference = compareImages(*cut(*tiled[0], 160 * i, 160), *separate[i]);

@@ -89,6 +89,18 @@ TEST(LightPoints, KeepTheirFluxWhereverTheyFallBetweenPixels)
     EXPECT_GT(most / least, 1.5);
 }
 
+TEST(LightPoints, CoverAsMuchOfThePictureWhereAPixelIsDrawnByMore)
+{
+    LightPoint light;
+    light.candela = 300.0;
+    const auto scene = sceneOf({light});
+    const double one = lightIn(*scene->picture({}));
+    scene->spoilBy(
+        [](osg::StateSet& state)
+        { state.addUniform(new osg::Uniform("drawnPixels", 2.0F), osg::StateAttribute::OVERRIDE); });
+    EXPECT_NEAR(lightIn(*scene->picture({})) / one, 4.0, 0.15) << "of four times as many pixels";
+}
+
 TEST(LightPoints, TheirFluxFollowsIntensityDistanceAndSteps)
 {
     LightPoint light;
