@@ -2,8 +2,11 @@
 #include "scenery/nodes/Clouds.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
+
+#include <foundation/KeptResults.h>
 
 #include <osg/BlendFunc>
 #include <osg/Depth>
@@ -18,6 +21,7 @@
 #include <osgTraversal/DrawOrder>
 #include <shaders/scenery.h>
 
+#include "scenery/clouds/CloudVolumeBytes.h"
 #include "scenery/clouds/TiledNoise3.h"
 #include "scenery/nodes/CloudPicture.h"
 
@@ -65,6 +69,18 @@ osg::ref_ptr<osg::Image> detailImage()
                 *byte++ = static_cast<unsigned char>(255.0F * std::clamp(0.5F + 0.9F * sum, 0.0F, 1.0F));
             }
     return image;
+}
+
+/// Made, or found among the user's kept ones.
+CloudVolume keptVolume(const simulation::CloudLayer& layer, std::uint32_t seed)
+{
+    foundation::ContentMark mark;
+    mark.addWord(static_cast<std::uint64_t>(layer.kind)).addWord(static_cast<std::uint64_t>(layer.oktas));
+    mark.addWord(std::bit_cast<std::uint64_t>(layer.baseM)).addWord(std::bit_cast<std::uint64_t>(layer.topM));
+    mark.addWord(seed);
+    return foundation::KeptResults::ofUser().findOrMake(
+        "clouds", mark, clouds::cloudVolumeIn, [&] { return clouds::makeCloudVolume(layer, seed); },
+        [](const CloudVolume& made) { return clouds::bytesOf(made); });
 }
 
 osg::ref_ptr<osg::Program> program(const char* name, const std::string& fragment)
@@ -183,8 +199,7 @@ void Clouds::setLayers(const std::vector<simulation::CloudLayer>& layers, double
     _volumes.clear();
     for (const simulation::CloudLayer& layer : layers)
         if (layer.oktas > 0)
-            _volumes.push_back(
-                clouds::makeCloudVolume(layer, 1U + 100U * static_cast<std::uint32_t>(_volumes.size())));
+            _volumes.push_back(keptVolume(layer, 1U + 100U * static_cast<std::uint32_t>(_volumes.size())));
     _litFrom.set(0.0, 0.0, 0.0);
     _root->setNodeMask(_volumes.empty() ? 0U : ~0U);
     _root->removeChildren(1, _root->getNumChildren() - 1);

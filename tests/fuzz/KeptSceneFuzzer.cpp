@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as what was kept of a scene: lamps, airfields and what maps paint come back as they
-// were written, or nothing does.
+// Any bytes may be given as what was kept of a scene: lamps, clouds, airfields and what maps paint come back
+// as they were written, or nothing does.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -8,6 +8,7 @@
 
 #include "material/FeatureMaps.h"
 #include "scene/SceneRunways.h"
+#include "scenery/clouds/CloudVolumeBytes.h"
 #include "scenery/lights/StreetLampBytes.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
@@ -34,6 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     readAndWrite(bytes, scenery::streetLampsIn);
+    readAndWrite(bytes, scenery::clouds::cloudVolumeIn);
     readAndWrite(bytes, trainer::sceneAirfieldsIn);
     readAndWrite(bytes, osgTerrainROAM::featureMapsIn);
     return 0;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Clouds cover as much of the sky as their oktas say, keep their heights, and cast shadows where the sun's
 // rays lead.
-#include "scenery/clouds/CloudVolume.h"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "measurement/light/CloudFigures.h"
+#include "scenery/clouds/CloudVolumeBytes.h"
 
 namespace
 {
@@ -112,4 +111,26 @@ TEST(CloudVolume, IsTheSameTwice)
                       two = volumeOf(CloudKind::stratocumulus, 6);
     EXPECT_EQ(one.form, two.form);
     EXPECT_EQ(one.gap, two.gap);
+}
+
+TEST(CloudVolume, ComesBackFromItsBytesAndFromNoOthers)
+{
+    const CloudVolume made = volumeOf(CloudKind::cumulus, 4);
+    const std::string bytes = bytesOf(made);
+    const auto found = cloudVolumeIn(bytes);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(bytesOf(*found), bytes);
+    EXPECT_EQ(found->topM, made.topM);
+    EXPECT_EQ(found->skylit, made.skylit);
+    EXPECT_FALSE(cloudVolumeIn(bytes.substr(0, bytes.size() - 1))) << "cut off";
+    EXPECT_FALSE(cloudVolumeIn(bytes + ' ')) << "too long";
+    CloudVolume wrong = made;
+    wrong.gap.pop_back();
+    EXPECT_FALSE(cloudVolumeIn(bytesOf(wrong))) << "a sample is missing";
+    wrong = made;
+    std::swap(wrong.baseM, wrong.topM);
+    EXPECT_FALSE(cloudVolumeIn(bytesOf(wrong))) << "upside down";
+    wrong = made;
+    wrong.extinctionPerM = std::nan("");
+    EXPECT_FALSE(cloudVolumeIn(bytesOf(wrong))) << "no number";
 }
