@@ -49,7 +49,7 @@ ChannelRig::ChannelRig(osgViewer::View& view, ViewSetup setup,
     for (const auto& camera : _cameras)
         view.addSlave(camera, true);
     for (const auto& camera : _cameras)
-        _enlarged.emplace_back(view, *camera);
+        _scaled.emplace_back(view, *camera);
     shape();
 }
 
@@ -67,7 +67,7 @@ void ChannelRig::shape()
         _cameras[i]->getOrCreateStateSet()->addUniform(
             new osg::Uniform("drawnPixels", static_cast<float>(std::max(std::ceil(_drawnSide), 1.0))),
             osg::StateAttribute::OVERRIDE);
-        _enlarged[i].fit(place);
+        _scaled[i].fit(place);
         _cameras[i]->setProjectionMatrix(toOsg(channelProjection(channel, _setup.nearM, _setup.farM)));
         leftPx += channel.widthPx;
     }

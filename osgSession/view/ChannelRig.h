@@ -7,7 +7,7 @@
 #include <osgViewer/View>
 
 #include "view/Channel.h"
-#include "view/EnlargedPicture.h"
+#include "view/ScaledPicture.h"
 
 namespace trainer
 {
@@ -30,7 +30,7 @@ public:
     /// Takes other sizes, frustums, near and far planes of the same channels, for a window that has changed.
     void reshape(ViewSetup setup);
 
-    /// Draws a share of the pixels along each side, above 0; EnlargedPicture shows them as the whole picture.
+    /// Draws a share of the pixels along each side, above 0; ScaledPicture shows them as the whole picture.
     /// Above 1 the contexts' framebuffers must be as much larger (osgOffscreen::FrameBuffer::drawnSide()).
     void setDrawnSide(double share);
 
@@ -43,7 +43,7 @@ private:
     osg::ref_ptr<osg::Camera> _master;
     ViewSetup _setup;
     std::vector<osg::ref_ptr<osg::Camera>> _cameras;
-    std::vector<EnlargedPicture> _enlarged; ///< one for each camera
+    std::vector<ScaledPicture> _scaled; ///< one for each camera
     double _drawnSide = 1.0;
 };
 

@@ -24,7 +24,7 @@ struct QualityRules
     double budgetShare = 1.0; ///< of the triangles that a scenery file allows
     int coverReaches = 3;     ///< of what grows around the eye: how many of scenery::kCoverReachesM
     bool hasSkyShade = true;  ///< whether ground below trees, vehicles and walls gets less light of the sky
-    double drawnSide = 1.0;   ///< share of the pixels along each side that are drawn (EnlargedPicture)
+    double drawnSide = 1.0;   ///< share of the pixels along each side that are drawn (ScaledPicture)
     int pixelsPerRay = 3;     ///< along a side, of the picture of the clouds
     int raySteps = 64;        ///< the most of such a ray
     const char* define = nullptr; ///< of the shaders, for cheaper ones; null: none

@@ -71,7 +71,7 @@ std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& se
     trainer::ChannelRig rig(viewer, setup, contexts);
     rig.setDrawnSide(drawing.side);
     for (unsigned i = 0; !drawing.isSpread && i < viewer.getNumSlaves(); ++i)
-        if (viewer.getSlave(i)._camera->getName() == "enlarged picture")
+        if (viewer.getSlave(i)._camera->getName() == "scaled picture")
             viewer.getSlave(i)._camera->setNodeMask(0);
     rig.setEye(eye);
     viewer.frame(0.0);

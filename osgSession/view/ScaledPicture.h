@@ -22,11 +22,11 @@ struct PicturePlace
 /// (osgOffscreen::FrameBuffer::drawnSide()), and twice as many along each side become means of four.
 /// Threads: the update phase of the viewer; the copy is made in draw. Errors: none; where a texture cannot be
 /// drawn into, the part stays as it is.
-class EnlargedPicture
+class ScaledPicture
 {
 public:
     /// Adds a camera to the view that draws after `picture` into the same context.
-    EnlargedPicture(osgViewer::View& view, osg::Camera& picture);
+    ScaledPicture(osgViewer::View& view, osg::Camera& picture);
 
     /// Sets the place for the next picture. Nothing is spread where all pixels are drawn.
     void fit(const PicturePlace& place);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/EnlargedPicture.h"
+#include "view/ScaledPicture.h"
 
 #include <osg/Depth>
 #include <osg/FrameBufferObject>
@@ -123,10 +123,10 @@ private:
 
 } // namespace
 
-EnlargedPicture::EnlargedPicture(osgViewer::View& view, osg::Camera& picture)
+ScaledPicture::ScaledPicture(osgViewer::View& view, osg::Camera& picture)
     : _camera(new osg::Camera), _part(new SpreadPart)
 {
-    _camera->setName("enlarged picture");
+    _camera->setName("scaled picture");
     _camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
     _camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
     _camera->setProjectionResizePolicy(osg::Camera::FIXED);
@@ -141,7 +141,7 @@ EnlargedPicture::EnlargedPicture(osgViewer::View& view, osg::Camera& picture)
     view.addSlave(_camera, false);
 }
 
-void EnlargedPicture::fit(const PicturePlace& place)
+void ScaledPicture::fit(const PicturePlace& place)
 {
     const bool isWhole = place.drawnWidthPx == place.widthPx && place.drawnHeightPx == place.heightPx;
     _camera->setNodeMask(isWhole ? 0U : ~0U);
