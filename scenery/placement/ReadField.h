@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "scenery/placement/JsonFields.h"
+#include "scenery/json/JsonFields.h"
 #include "scenery/placement/SceneryDescription.h"
 
 namespace scenery

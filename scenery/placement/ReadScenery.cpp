@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/placement/ReadScenery.h"
 
-#include <fstream>
+#include <algorithm>
 #include <set>
 
+#include "scenery/json/ParseJson.h"
 #include "scenery/placement/ReadField.h"
 #include "scenery/placement/ReadSelection.h"
 
@@ -15,7 +16,7 @@ namespace
 
 using nlohmann::json;
 
-constexpr std::size_t kMostBytes = 4u << 20u, kMostFields = 1000;
+constexpr std::size_t kMostFields = 1000;
 
 void checkNeighbours(const SceneryDescription& description, Complaint& complaint)
 {
@@ -56,37 +57,18 @@ SceneryDescription describe(const json& root, const std::filesystem::path& folde
 
 foundation::Result<SceneryDescription> parseScenery(std::string_view text, const std::filesystem::path& name)
 {
-    if (text.size() > kMostBytes)
-        return foundation::Error{name.string(), "is larger than 4 MB", "give a description of the scenery"};
-    json root;
-    try
-    {
-        root = json::parse(text, nullptr, true, true);
-    }
-    catch (const json::exception& failure) // the library's way to say so; it ends here
-    {
-        const auto* const parsing = dynamic_cast<const json::parse_error*>(&failure);
-        const std::size_t byte = parsing ? std::min(parsing->byte, text.size()) : 0;
-        const auto line =
-            1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n');
-        return foundation::Error{name.string() + ":" + std::to_string(line), "is no JSON",
-                                 "look for a comma or a bracket before this place"};
-    }
+    const auto root = parseJson(text, name.string());
+    if (!root) return root.error();
     Complaint complaint{name.string(), {}};
-    SceneryDescription description = describe(root, name.parent_path(), complaint);
+    SceneryDescription description = describe(*root, name.parent_path(), complaint);
     if (complaint.error) return *complaint.error;
     return description;
 }
 
 foundation::Result<SceneryDescription> readScenery(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(kMostBytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    if (text.empty())
-        return foundation::Error{file.string(), "cannot be read or is empty", "give a scenery's JSON file"};
-    return parseScenery(text, file);
+    const auto text = readJsonText(file, "a scenery's JSON file");
+    return text ? parseScenery(*text, file) : text.error();
 }
 
 } // namespace scenery

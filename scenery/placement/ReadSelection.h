@@ -4,7 +4,7 @@
 #include <osgPMObjects/core/selection/SceneSelector.h>
 #include <osgPMObjects/core/selection/Switch.h>
 
-#include "scenery/placement/JsonFields.h"
+#include "scenery/json/JsonFields.h"
 #include "scenery/placement/SelectionPlan.h"
 
 namespace scenery

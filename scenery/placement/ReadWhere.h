@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "scenery/placement/JsonFields.h"
+#include "scenery/json/JsonFields.h"
 #include "scenery/placement/SceneryDescription.h"
 
 namespace scenery

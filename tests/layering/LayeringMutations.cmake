@@ -27,6 +27,7 @@ function(plantTree)
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
             "simulation/Clock.h|cstdint"
             "simulation/contact/Obstacle.h|cstdint"
+            "scenery/json/Fields.h|foundation/Result.h"
             "scenery/lights/Beam.h|foundation/Result.h"
             "scenery/models/Tree.h|osgPMObjects/core/Mesh.h"
             "scenery/placement/Place.h|scenery/models/Tree.h"
@@ -131,6 +132,7 @@ expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgTraversal/NotThere>"
 expectBreach(simulation/Clock.h "#include <osg/Timer>")
 expectBreach(simulation/contact/Obstacle.h "#include \"simulation/Clock.h\"")
 expectBreach(scenery/lights/Beam.h "#include \"scenery/models/Tree.h\"")
+expectBreach(scenery/json/Fields.h "#include \"scenery/models/Tree.h\"")
 expectBreach(simulation/Clock.h "#include \"../osgSession/view/Scene.cpp\"")
 expectBreach(scenery/models/Tree.h "#include <osg/Image>")
 expectBreach(scenery/models/Tree.h "#include <osgPMObjects/Object>")
