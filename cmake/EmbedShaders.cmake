@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DNAMESPACE=name -DOUTPUT=path "-DFILES=file;…" -P EmbedShaders.cmake: writes path.h and path.cpp with one
-# string constant for each shader file (osgtrainer_shaders in Shaders.cmake).
+# cmake -DKIND=shaders|texts -DNAMESPACE=name -DOUTPUT=path "-DFILES=file;…" -P EmbedShaders.cmake: writes path.h and path.cpp with one
+# string constant for each file (osgtrainer_shaders and osgtrainer_texts in Shaders.cmake).
 cmake_minimum_required(VERSION 3.25)
+if(NOT KIND MATCHES "^(shaders|texts)$")
+    message(FATAL_ERROR "-DKIND= is '${KIND}'; give shaders or texts")
+endif()
 
 # The text of a file behind its head: comment lines and a blank line, which are for readers of the file alone.
 function(readShader file out)
@@ -12,7 +15,7 @@ function(readShader file out)
     string(LENGTH "${CMAKE_MATCH_0}" head)
     string(SUBSTRING "${text}" ${head} -1 text)
     if(text MATCHES "[^\t\n -~]")
-        message(FATAL_ERROR "${file}: a character that is not ASCII below the head; some drivers reject it, remove it")
+        message(FATAL_ERROR "${file}: a character that is not ASCII below the head; some readers reject it, remove it")
     endif()
     set(${out} "${text}" PARENT_SCOPE)
 endfunction()
@@ -20,7 +23,15 @@ endfunction()
 function(constantName file out)
     cmake_path(GET file STEM name)
     cmake_path(GET file EXTENSION extension)
-    if(extension STREQUAL ".vert")
+    if(KIND STREQUAL "texts")
+        if(NOT extension STREQUAL ".json")
+            message(FATAL_ERROR "${file}: the extension is not that of a text; rename it to .json")
+        endif()
+        string(SUBSTRING "${name}" 0 1 first)
+        string(SUBSTRING "${name}" 1 -1 others)
+        string(TOUPPER "${first}" first)
+        set(name "${first}${others}")
+    elseif(extension STREQUAL ".vert")
         string(APPEND name Vert)
     elseif(extension STREQUAL ".frag")
         string(APPEND name Frag)
@@ -39,9 +50,9 @@ foreach(file IN LISTS FILES)
     string(APPEND definitions "const char ${name}[] = R\"glsl(${text})glsl\";\n\n")
 endforeach()
 
-set(begin "// Generated from shader files by cmake/EmbedShaders.cmake.\n")
-set(header "${begin}#pragma once\n\nnamespace ${NAMESPACE}::shaders\n{\n${declarations}}\n")
-set(source "${begin}#include \"${NAMESPACE}.h\"\n\nnamespace ${NAMESPACE}::shaders\n{\n${definitions}}\n")
+set(begin "// Generated from files by cmake/EmbedShaders.cmake.\n")
+set(header "${begin}#pragma once\n\nnamespace ${NAMESPACE}::${KIND}\n{\n${declarations}}\n")
+set(source "${begin}#include \"${NAMESPACE}.h\"\n\nnamespace ${NAMESPACE}::${KIND}\n{\n${definitions}}\n")
 file(WRITE ${OUTPUT}.cpp "${source}")
 # The header is left alone where its names are the same: what includes it need not be compiled again.
 set(before)

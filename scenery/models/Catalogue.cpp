@@ -6,6 +6,7 @@
 #include "scenery/models/houses/GableHouse.h"
 #include "scenery/models/houses/Hall.h"
 #include "scenery/models/houses/TownHouses.h"
+#include "scenery/models/looks/BuiltInLooks.h"
 #include "scenery/models/trees/Tree.h"
 #include "scenery/models/vehicles/Vehicle.h"
 
@@ -15,31 +16,42 @@ namespace scenery::models
 namespace
 {
 
-constexpr std::array kFacts{
-    KindFacts{Kind::oak, "oak", 10.0, 19.0, 8.5},
-    KindFacts{Kind::birch, "birch", 10.0, 18.5, 5.5},
-    KindFacts{Kind::poplar, "poplar", 17.0, 28.0, 4.5},
-    KindFacts{Kind::spruce, "spruce", 15.0, 27.5, 6.0},
-    KindFacts{Kind::bush, "bush", 1.5, 4.6, 3.2},
-    KindFacts{Kind::familyHouse, "family-house", 6.5, 12.5, 10.5},
-    KindFacts{Kind::townHouses, "town-houses", 11.0, 24.0, 23.0},
-    KindFacts{Kind::barn, "barn", 7.0, 13.0, 15.0},
-    KindFacts{Kind::hall, "hall", 6.5, 13.0, 27.0},
-    KindFacts{Kind::saloon, "saloon", 1.35, 1.60, 2.6},
-    KindFacts{Kind::van, "van", 2.2, 2.9, 3.4},
-    KindFacts{Kind::bus, "bus", 2.9, 3.4, 6.6},
-};
+/// The facts of a vehicle are those that its look tells.
+KindFacts factsOfVehicle(Kind kind, std::string_view name)
+{
+    const LookBounds& bounds = builtInLook(name)->bounds;
+    return {kind, name, bounds.leastHeightM, bounds.mostHeightM, bounds.mostRadiusM};
+}
+
+std::span<const KindFacts> allFacts()
+{
+    static const std::array kFacts{
+        KindFacts{Kind::oak, "oak", 10.0, 19.0, 8.5},
+        KindFacts{Kind::birch, "birch", 10.0, 18.5, 5.5},
+        KindFacts{Kind::poplar, "poplar", 17.0, 28.0, 4.5},
+        KindFacts{Kind::spruce, "spruce", 15.0, 27.5, 6.0},
+        KindFacts{Kind::bush, "bush", 1.5, 4.6, 3.2},
+        KindFacts{Kind::familyHouse, "family-house", 6.5, 12.5, 10.5},
+        KindFacts{Kind::townHouses, "town-houses", 11.0, 24.0, 23.0},
+        KindFacts{Kind::barn, "barn", 7.0, 13.0, 15.0},
+        KindFacts{Kind::hall, "hall", 6.5, 13.0, 27.0},
+        factsOfVehicle(Kind::saloon, "saloon"),
+        factsOfVehicle(Kind::van, "van"),
+        factsOfVehicle(Kind::bus, "bus"),
+    };
+    return kFacts;
+}
 
 } // namespace
 
 std::span<const KindFacts> kinds()
 {
-    return kFacts;
+    return allFacts();
 }
 
 const KindFacts& factsOf(Kind kind)
 {
-    return kFacts[static_cast<std::size_t>(kind)];
+    return allFacts()[static_cast<std::size_t>(kind)];
 }
 
 Model generate(Kind kind, std::uint64_t seed)
@@ -65,11 +77,9 @@ Model generate(Kind kind, std::uint64_t seed)
     case Kind::hall:
         return makeHall(seed);
     case Kind::saloon:
-        return makeVehicle(VehicleKind::saloon, seed);
     case Kind::van:
-        return makeVehicle(VehicleKind::van, seed);
     case Kind::bus:
-        return makeVehicle(VehicleKind::bus, seed);
+        return makeVehicle(builtInLook(factsOf(kind).name), seed);
     }
     return {};
 }

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
 namespace scenery::models
 {
+
+struct VehicleLook;
 
 /// The textures that the generators paint. They are the same for all seeds, so thousands of models share few
 /// textures.
@@ -28,13 +31,10 @@ enum class Painting : std::uint8_t
     roofTiles,
     roofMetal,
     houseDetails,
-    saloon,
-    van,
-    bus,
     wheel,
-    plain, ///< one colour and the signs of roads: roads/SignAtlas.h
-    estate,
+    plain,       ///< one colour and the signs of roads: roads/SignAtlas.h
     instruments, ///< cockpit/PaintInstruments.h
+    vehicle,     ///< the sheet of Surface::look
     count,
 };
 
@@ -52,6 +52,7 @@ struct Surface
 {
     Painting painting = Painting::plaster;
     Coat coat = Coat::matt;
+    std::shared_ptr<const VehicleLook> look{}; ///< of Painting::vehicle, null of all others
 
     bool operator==(const Surface&) const = default;
 };

@@ -2,13 +2,14 @@
 #include "scenery/models/Paint.h"
 
 #include <array>
+#include <cassert>
 
 #include "scenery/models/cockpit/PaintInstruments.h"
 #include "scenery/models/paint/PaintBark.h"
 #include "scenery/models/paint/PaintHouseDetails.h"
 #include "scenery/models/paint/PaintLeaves.h"
 #include "scenery/models/paint/PaintRoofs.h"
-#include "scenery/models/paint/PaintVehicles.h"
+#include "scenery/models/paint/PaintVehicle.h"
 #include "scenery/models/paint/PaintWalls.h"
 #include "scenery/models/paint/PaintWheel.h"
 #include "scenery/models/roads/PaintSigns.h"
@@ -16,15 +17,16 @@
 namespace scenery::models
 {
 
-Picture paint(Painting painting)
+Picture paint(Painting painting, const VehicleLook* look)
 {
+    assert((painting == Painting::vehicle) == (look != nullptr));
+    if (look) return paintVehicle(*look);
     using Painter = Picture (*)();
-    constexpr std::array<Painter, static_cast<std::size_t>(Painting::count)> kPainters{
+    constexpr std::array<Painter, static_cast<std::size_t>(Painting::vehicle)> kPainters{
         paintOakBark,      paintBirchBark,  paintPineBark,      paintOakLeaves, paintBirchLeaves,
         paintPoplarLeaves, paintBushLeaves, paintSpruceNeedles, paintPlaster,   paintBricks,
         paintSheetMetal,   paintPlanks,     paintRoofTiles,     paintRoofMetal, paintHouseDetails,
-        paintSaloon,       paintVan,        paintBus,           paintWheel,     paintSigns,
-        paintEstate,       paintInstruments};
+        paintWheel,        paintSigns,      paintInstruments};
     return kPainters[static_cast<std::size_t>(painting)]();
 }
 

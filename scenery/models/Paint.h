@@ -7,7 +7,8 @@
 namespace scenery::models
 {
 
-/// Paints a texture. Pure: the same bytes always. Cost: about 10 to 100 ms.
-Picture paint(Painting painting);
+/// Paints a texture. Pure: the same bytes always. `look`: whose sheet Painting::vehicle is; null for all
+/// others. Cost: about 10 to 100 ms.
+Picture paint(Painting painting, const VehicleLook* look = nullptr);
 
 } // namespace scenery::models

@@ -13,6 +13,7 @@
 
 #include "scenery/models/Paint.h"
 #include "scenery/models/paint/MipChain.h"
+#include "scenery/models/vehicles/VehicleLook.h"
 
 namespace scenery
 {
@@ -65,12 +66,13 @@ std::optional<std::vector<Picture>> chainIn(std::string_view bytes)
 } // namespace
 
 std::vector<Picture> paintedChain(models::Painting painting, bool isFoliage,
-                                  const foundation::KeptResults& kept)
+                                  const foundation::KeptResults& kept, const models::VehicleLook* look)
 {
     foundation::ContentMark mark;
     mark.addWord(static_cast<std::uint64_t>(painting)).addWord(isFoliage ? 1U : 0U);
+    if (look) mark.add(look->mark.text());
     return kept.findOrMake(
-        "painting", mark, chainIn, [&] { return models::mipChain(models::paint(painting), isFoliage); },
+        "painting", mark, chainIn, [&] { return models::mipChain(models::paint(painting, look), isFoliage); },
         bytesOfChain);
 }
 

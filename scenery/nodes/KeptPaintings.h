@@ -16,6 +16,7 @@ namespace scenery
 
 /// Returns models::mipChain() of models::paint(), painted or found among the kept ones: the same bytes.
 std::vector<models::Picture> paintedChain(models::Painting painting, bool isFoliage,
-                                          const foundation::KeptResults& kept);
+                                          const foundation::KeptResults& kept,
+                                          const models::VehicleLook* look = nullptr);
 
 } // namespace scenery

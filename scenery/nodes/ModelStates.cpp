@@ -6,6 +6,7 @@
 
 #include <osgPMObjects/ExportNode>
 
+#include "scenery/models/paint/MipChain.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/PaintedTexture.h"
 #include "scenery/nodes/SurfaceState.h"
@@ -49,18 +50,18 @@ osg::ref_ptr<osg::StateSet> surfaceState(const models::Surface& surface, osg::Te
     return state;
 }
 
-osg::ref_ptr<osg::Texture2D> ModelStates::textureOf(models::Painting painting, bool isFoliage)
+osg::ref_ptr<osg::Texture2D> ModelStates::textureOf(const models::Surface& surface)
 {
-    osg::ref_ptr<osg::Texture2D>& texture = _textures[static_cast<std::size_t>(painting)];
-    if (!texture) texture = paintedTexture(painting, isFoliage, 4.0F);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[{surface.painting, surface.look}];
+    const bool isFoliage = surface.coat == models::Coat::foliage;
+    if (!texture) texture = paintedTexture(surface.painting, isFoliage, 4.0F, surface.look.get());
     return texture;
 }
 
 osg::ref_ptr<osg::StateSet> ModelStates::stateOf(const models::Surface& surface)
 {
-    osg::ref_ptr<osg::StateSet>& state = _states[{surface.painting, surface.coat}];
-    if (!state)
-        state = surfaceState(surface, textureOf(surface.painting, surface.coat == models::Coat::foliage));
+    osg::ref_ptr<osg::StateSet>& state = _states[{surface.painting, surface.coat, surface.look}];
+    if (!state) state = surfaceState(surface, textureOf(surface));
     return state;
 }
 

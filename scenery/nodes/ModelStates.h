@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <map>
+#include <memory>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <osg/Group>
@@ -27,10 +29,12 @@ public:
     std::vector<osg::ref_ptr<osg::StateSet>> statesOf(const models::Model& model);
 
 private:
-    osg::ref_ptr<osg::Texture2D> textureOf(models::Painting painting, bool isFoliage);
+    using Look = std::shared_ptr<const models::VehicleLook>;
 
-    std::array<osg::ref_ptr<osg::Texture2D>, static_cast<std::size_t>(models::Painting::count)> _textures;
-    std::map<std::pair<models::Painting, models::Coat>, osg::ref_ptr<osg::StateSet>> _states;
+    osg::ref_ptr<osg::Texture2D> textureOf(const models::Surface& surface);
+
+    std::map<std::pair<models::Painting, Look>, osg::ref_ptr<osg::Texture2D>> _textures;
+    std::map<std::tuple<models::Painting, models::Coat, Look>, osg::ref_ptr<osg::StateSet>> _states;
 };
 
 /// Makes the node of a model, in its own frame. Needs the uniforms of an Atmosphere above it in the graph.

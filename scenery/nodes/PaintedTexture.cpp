@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <string>
 #include <tuple>
 
 #include <foundation/KeptResults.h>
@@ -12,6 +13,7 @@
 #include <osg/observer_ptr>
 
 #include "scenery/models/paint/MipChain.h"
+#include "scenery/models/vehicles/VehicleLook.h"
 #include "scenery/nodes/KeptPaintings.h"
 
 namespace scenery
@@ -43,10 +45,11 @@ osg::ref_ptr<osg::Image> imageOf(const std::vector<models::Picture>& chain)
     return image;
 }
 
-osg::ref_ptr<osg::Texture2D> makeTexture(models::Painting painting, bool isFoliage, float anisotropy)
+osg::ref_ptr<osg::Texture2D> makeTexture(models::Painting painting, bool isFoliage, float anisotropy,
+                                         const models::VehicleLook* look)
 {
-    const osg::ref_ptr<osg::Texture2D> texture =
-        new osg::Texture2D(imageOf(paintedChain(painting, isFoliage, foundation::KeptResults::ofUser())));
+    const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(
+        imageOf(paintedChain(painting, isFoliage, foundation::KeptResults::ofUser(), look)));
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     const auto wrap = isFoliage ? osg::Texture::CLAMP_TO_EDGE : osg::Texture::REPEAT;
@@ -64,24 +67,25 @@ struct Shared
     osg::observer_ptr<osg::Texture2D> texture;
 };
 
-Shared& sharedOf(models::Painting painting, bool isFoliage, float anisotropy)
+Shared& sharedOf(models::Painting painting, bool isFoliage, float anisotropy, const models::VehicleLook* look)
 {
     static std::mutex mutex;
-    static std::map<std::tuple<models::Painting, bool, float>, Shared> all;
+    static std::map<std::tuple<models::Painting, bool, float, std::string>, Shared> all;
     const std::lock_guard lock(mutex);
-    return all[{painting, isFoliage, anisotropy}];
+    return all[{painting, isFoliage, anisotropy, look ? look->mark.text() : std::string()}];
 }
 
 } // namespace
 
-osg::ref_ptr<osg::Texture2D> paintedTexture(models::Painting painting, bool isFoliage, float anisotropy)
+osg::ref_ptr<osg::Texture2D> paintedTexture(models::Painting painting, bool isFoliage, float anisotropy,
+                                            const models::VehicleLook* look)
 {
-    Shared& shared = sharedOf(painting, isFoliage, anisotropy);
+    Shared& shared = sharedOf(painting, isFoliage, anisotropy, look);
     const std::lock_guard lock(shared.mutex);
     osg::ref_ptr<osg::Texture2D> texture;
     if (!shared.texture.lock(texture))
     {
-        texture = makeTexture(painting, isFoliage, anisotropy);
+        texture = makeTexture(painting, isFoliage, anisotropy, look);
         shared.texture = texture;
     }
     return texture;

@@ -12,6 +12,7 @@ namespace scenery
 /// All who ask for the same have the same one, for as long as somebody uses it, so nobody may change it. What
 /// was painted before is found among the user's kept results. `anisotropy`: of its filter, at most.
 /// Threads: any number.
-osg::ref_ptr<osg::Texture2D> paintedTexture(models::Painting painting, bool isFoliage, float anisotropy);
+osg::ref_ptr<osg::Texture2D> paintedTexture(models::Painting painting, bool isFoliage, float anisotropy,
+                                            const models::VehicleLook* look = nullptr);
 
 } // namespace scenery

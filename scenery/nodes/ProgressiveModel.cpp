@@ -127,16 +127,20 @@ public:
         std::vector<osg::ref_ptr<osg::StateSet>> states;
         for (const models::Surface& surface : model.surfaces)
         {
-            osg::ref_ptr<osg::StateSet>& state = _states[{surface.painting, surface.coat}];
+            osg::ref_ptr<osg::StateSet>& state = _states[{surface.painting, surface.coat, surface.look}];
             const bool isFoliage = surface.coat == models::Coat::foliage;
-            if (!state) state = surfaceState(surface, paintedTexture(surface.painting, isFoliage, 1.0F));
+            if (!state)
+                state = surfaceState(surface,
+                                     paintedTexture(surface.painting, isFoliage, 1.0F, surface.look.get()));
             states.push_back(state);
         }
         return states;
     }
 
 private:
-    std::map<std::pair<models::Painting, models::Coat>, osg::ref_ptr<osg::StateSet>> _states;
+    using Look = std::shared_ptr<const models::VehicleLook>;
+
+    std::map<std::tuple<models::Painting, models::Coat, Look>, osg::ref_ptr<osg::StateSet>> _states;
 };
 
 } // namespace

@@ -9,7 +9,7 @@
 #include "scenery/models/cockpit/InstrumentParts.h"
 #include "scenery/models/cockpit/InteriorShell.h"
 #include "scenery/models/cockpit/SteeringWheel.h"
-#include "scenery/models/vehicles/VehicleForm.h"
+#include "scenery/models/entities/LookOf.h"
 
 namespace scenery::models
 {
@@ -68,8 +68,8 @@ Model carCabinModel(const Walls& walls)
 /// The bonnet of the form that is drawn from outside, in the entity's frame.
 Model bonnetModel(const EntityShape& shape)
 {
-    const VehicleForm& form =
-        vehicleForm(shape.body == CarBody::saloon ? VehicleKind::saloon : VehicleKind::estate);
+    const std::shared_ptr<const VehicleLook> look = lookOf(shape);
+    const VehicleForm& form = look->form;
     const glm::dvec3 stretch(shape.lengthM / form.lengthM, shape.widthM / form.widthM,
                              shape.heightM / form.heightM);
     ModelBuilder builder;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <compare>
+#include <memory>
 #include <vector>
 
 namespace scenery::models
 {
+
+struct VehicleLook;
 
 /// What a moving entity looks like.
 enum class EntityKind
@@ -76,7 +79,8 @@ struct EntityShape
     double middleXM = 0.0;        ///< of the box; z runs from 0 to heightM
     std::vector<AxleShape> axles; ///< from the front; may be empty
     float red = 0.7F, green = 0.7F, blue = 0.7F;
-    CarBody body = CarBody::saloon; ///< of a car
+    CarBody body = CarBody::saloon;            ///< of a car
+    std::shared_ptr<const VehicleLook> look{}; ///< that of a car, van or bus; null: by its kind and body
 
     auto operator<=>(const EntityShape&) const = default;
     double frontXM() const { return middleXM + 0.5 * lengthM; }

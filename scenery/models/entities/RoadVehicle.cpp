@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scenery/models/entities/EntityGenerators.h"
+#include "scenery/models/entities/LookOf.h"
 #include "scenery/models/entities/RollingParts.h"
 #include "scenery/models/vehicles/Vehicle.h"
 
@@ -12,27 +13,6 @@ namespace scenery::models
 
 namespace
 {
-
-VehicleKind vehicleKindOf(const EntityShape& shape)
-{
-    if (shape.kind == EntityKind::van) return VehicleKind::van;
-    if (shape.kind == EntityKind::bus) return VehicleKind::bus;
-    return shape.body == CarBody::saloon ? VehicleKind::saloon : VehicleKind::estate;
-}
-
-/// The lamps of a kind, as the texture shows them. Frame: the form's, before it is stretched. Units: metres.
-struct LampPlaces
-{
-    glm::dvec2 head, tail; ///< y and z of their middles
-    glm::dvec2 headSize, tailSize;
-};
-
-LampPlaces lampPlaces(VehicleKind kind)
-{
-    if (kind == VehicleKind::van) return {{0.70, 0.77}, {0.945, 1.15}, {0.24, 0.16}, {0.13, 0.18}};
-    if (kind == VehicleKind::bus) return {{0.84, 0.68}, {1.075, 1.0}, {0.32, 0.13}, {0.22, 0.18}};
-    return {{0.68, 0.66}, {0.635, 0.815}, {0.22, 0.10}, {0.16, 0.13}};
-}
 
 /// Returns x of the foremost (or hindmost) cross-section that contains (y, z); 0 where none does.
 double surfaceX(const VehicleForm& form, const glm::dvec2& at, bool isAhead)
@@ -104,30 +84,30 @@ private:
     EntityModel& _model;
 };
 
-void addLamps(EntityModel& model, const StretchedForm& body, VehicleKind kind, double middleXM)
+void addLamps(EntityModel& model, const StretchedForm& body, const VehicleLook& look, double middleXM)
 {
     using Lamp = EntityLamp::Kind;
-    const LampPlaces places = lampPlaces(kind);
+    const LookLamp &head = look.headLamps, &tail = look.tailLamps;
     LampBuilder lamps(body, middleXM, model);
     const auto beside = [](const glm::dvec2& at, const glm::dvec2& size, double share)
     { return at + glm::dvec2(share * size.x, 0.0); };
-    lamps.pair(Lamp::head, Lamp::head, places.head, places.headSize, true);
-    lamps.pair(Lamp::indicatorLeft, Lamp::indicatorRight, beside(places.head, places.headSize, 0.65),
-               places.headSize * glm::dvec2(0.3, 0.8), true);
-    lamps.pair(Lamp::tail, Lamp::tail, places.tail - glm::dvec2(0.0, 0.25 * places.tailSize.y),
-               places.tailSize * glm::dvec2(1.0, 0.4), false);
-    lamps.pair(Lamp::brake, Lamp::brake, places.tail + glm::dvec2(0.0, 0.25 * places.tailSize.y),
-               places.tailSize * glm::dvec2(1.0, 0.45), false);
-    lamps.pair(Lamp::indicatorLeft, Lamp::indicatorRight, beside(places.tail, places.tailSize, 0.55),
-               places.tailSize * glm::dvec2(0.35, 0.8), false);
-    lamps.pair(Lamp::reversing, Lamp::reversing, beside(places.tail, places.tailSize, -0.7),
-               places.tailSize * glm::dvec2(0.4, 0.4), false);
+    lamps.pair(Lamp::head, Lamp::head, head.at, head.sizeM, true);
+    lamps.pair(Lamp::indicatorLeft, Lamp::indicatorRight, beside(head.at, head.sizeM, 0.65),
+               head.sizeM * glm::dvec2(0.3, 0.8), true);
+    lamps.pair(Lamp::tail, Lamp::tail, tail.at - glm::dvec2(0.0, 0.25 * tail.sizeM.y),
+               tail.sizeM * glm::dvec2(1.0, 0.4), false);
+    lamps.pair(Lamp::brake, Lamp::brake, tail.at + glm::dvec2(0.0, 0.25 * tail.sizeM.y),
+               tail.sizeM * glm::dvec2(1.0, 0.45), false);
+    lamps.pair(Lamp::indicatorLeft, Lamp::indicatorRight, beside(tail.at, tail.sizeM, 0.55),
+               tail.sizeM * glm::dvec2(0.35, 0.8), false);
+    lamps.pair(Lamp::reversing, Lamp::reversing, beside(tail.at, tail.sizeM, -0.7),
+               tail.sizeM * glm::dvec2(0.4, 0.4), false);
 }
 
 /// Returns the form with its axles and wheels where the shape has them.
-VehicleForm formFor(const EntityShape& shape, VehicleKind kind, const glm::dvec3& stretch)
+VehicleForm formFor(const EntityShape& shape, const VehicleLook& look, const glm::dvec3& stretch)
 {
-    VehicleForm form = vehicleForm(kind);
+    VehicleForm form = look.form;
     if (shape.axles.size() < 2) return form;
     const auto inForm = [&](double x) { return (x - shape.middleXM) / stretch.x; };
     const double reach = 0.5 * form.lengthM - 1.4 * form.archRadiusM;
@@ -143,22 +123,21 @@ VehicleForm formFor(const EntityShape& shape, VehicleKind kind, const glm::dvec3
 
 EntityModel makeRoadVehicle(const EntityShape& shape)
 {
-    const VehicleKind kind = vehicleKindOf(shape);
-    const VehicleForm& usual = vehicleForm(kind);
+    const std::shared_ptr<const VehicleLook> look = lookOf(shape);
+    const VehicleForm& usual = look->form;
     const glm::dvec3 stretch(shape.lengthM / usual.lengthM, shape.widthM / usual.widthM,
                              shape.heightM / usual.heightM);
-    const VehicleForm form = formFor(shape, kind, stretch);
+    const VehicleForm form = formFor(shape, *look, stretch);
     const StretchedForm body{form, stretch};
     ModelBuilder builder;
-    addVehicleShell(builder, kind, body, {shape.red, shape.green, shape.blue});
+    addVehicleShell(builder, look, body, {shape.red, shape.green, shape.blue});
     EntityModel model;
     model.parts = {model.addMesh(builder.finish(38.0))};
     addWheels(model, shape, glm::translate(glm::dmat4(1.0), {shape.middleXM, 0.0, 0.0}), form.wheelWidthM);
-    addLamps(model, body, kind, shape.middleXM);
-    const double seatAheadM = isCar(kind) ? 0.4889 * shape.lengthM : shape.lengthM - 1.6;
-    model.eye = {shape.backXM() + (kind == VehicleKind::bus ? shape.lengthM - 1.0 : seatAheadM),
-                 0.2 * shape.widthM,
-                 isCar(kind) ? 1.2 : shape.heightM * (kind == VehicleKind::van ? 0.70 : 0.62)};
+    addLamps(model, body, *look, shape.middleXM);
+    const LookEye& eye = look->eye;
+    model.eye = {shape.backXM() + (eye.alongShare * shape.lengthM + eye.alongM), eye.leftShare * shape.widthM,
+                 eye.upShare * shape.heightM + eye.upM};
     return model;
 }
 

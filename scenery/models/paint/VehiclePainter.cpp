@@ -40,7 +40,7 @@ void VehiclePainter::glass(const Outline& outline)
     }
     Outline inner;
     for (const glm::vec2& p : outline)
-        inner.push_back(p + glm::normalize(middle - p) * 0.03F);
+        inner.push_back(p == middle ? p : p + glm::normalize(middle - p) * 0.03F);
     _canvas.polygon(inner, kGlass);
     // The reflection of the sky is painted as bands over the upper half: each is the part of the pane above a
     // horizontal line.
@@ -64,12 +64,6 @@ void VehiclePainter::glass(const Outline& outline)
 void VehiclePainter::box(const glm::vec2& low, const glm::vec2& high, float radius, const glm::vec4& colour)
 {
     _canvas.rounded(low, high, radius, colour);
-}
-
-void VehiclePainter::pair(const glm::vec2& low, const glm::vec2& high, float radius, const glm::vec4& colour)
-{
-    box(low, high, radius, colour);
-    box({-high.x, low.y}, {-low.x, high.y}, radius, colour);
 }
 
 void VehiclePainter::seam(const Outline& line)

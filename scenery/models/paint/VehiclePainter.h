@@ -32,8 +32,6 @@ public:
     void glass(const Outline& outline);
     void fill(const Outline& outline, const glm::vec4& colour) { _canvas.polygon(outline, colour); }
     void box(const glm::vec2& low, const glm::vec2& high, float radius, const glm::vec4& colour);
-    /// Paints the same on both sides of the middle of the view.
-    void pair(const glm::vec2& low, const glm::vec2& high, float radius, const glm::vec4& colour);
     /// Paints a gap between panels, a centimetre wide.
     void seam(const Outline& line);
     void plate(const glm::vec2& middle);

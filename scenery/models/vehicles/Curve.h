@@ -18,6 +18,9 @@ public:
     };
     explicit Curve(std::vector<Point> points);
 
+    /// 0 everywhere.
+    Curve() : Curve({{0.0, 0.0}, {1.0, 0.0}}) {}
+
     /// Evaluates the curve. Outside the points the value is that of the nearest end.
     double operator()(double at) const;
     const std::vector<Point>& points() const { return _points; }

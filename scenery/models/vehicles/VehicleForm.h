@@ -5,44 +5,27 @@
 
 #include <glm/vec2.hpp>
 
-#include "scenery/models/Model.h"
 #include "scenery/models/vehicles/Curve.h"
 
 namespace scenery::models
 {
 
-enum class VehicleKind
-{
-    saloon,
-    van,
-    bus,
-    estate, ///< also hatchbacks and sport utility vehicles, stretched
-};
-
-/// Whether a kind is a car.
-inline bool isCar(VehicleKind kind)
-{
-    return kind == VehicleKind::saloon || kind == VehicleKind::estate;
-}
-
 /// The shape of a vehicle before a seed stretches it. All curves run over x; the origin is in the middle of
 /// the vehicle. Units: metres.
 struct VehicleForm
 {
-    double lengthM, widthM, heightM;
-    Curve top;        ///< of the middle line
-    Curve belt;       ///< where the sides turn inwards: the lower edge of the windows
-    Curve half;       ///< half the width
-    Curve lean;       ///< share by which the roof is narrower
-    Curve bottom;     ///< of the sides' lower edge
-    double railShare; ///< of the way from belt to top, where sides become roof
-    double roofPower; ///< how flat the roof is across: 2 an ellipse, more: a box
-    double wheelRadiusM, wheelWidthM, archRadiusM;
-    glm::dvec2 axles; ///< x of the front and of the rear one
-    Painting painting;
+    double lengthM = 0.0, widthM = 0.0, heightM = 0.0;
+    Curve top;              ///< of the middle line
+    Curve belt;             ///< where the sides turn inwards: the lower edge of the windows
+    Curve half;             ///< half the width
+    Curve lean;             ///< share by which the roof is narrower
+    Curve bottom;           ///< of the sides' lower edge
+    double railShare = 0.8; ///< of the way from belt to top, where sides become roof
+    double roofPower = 3.0; ///< how flat the roof is across: 2 an ellipse, more: a box
+    double wheelRadiusM = 0.0, wheelWidthM = 0.0, archRadiusM = 0.0;
+    glm::dvec2 axles{0.0};    ///< x of the front and of the rear one
     bool hasTwoSides = false; ///< its left differs from the mirror image of its right: doors
 };
-const VehicleForm& vehicleForm(VehicleKind kind);
 
 /// The positions of the views in the texture of kSheetPx by kSheetPx pixels, all to one scale: the right
 /// side, above it the top, above that front and back, above those the left side where it differs.

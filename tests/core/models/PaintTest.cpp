@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scenery/models/looks/BuiltInLooks.h"
 #include "scenery/models/paint/MipChain.h"
 
 using namespace scenery::models;
@@ -45,7 +46,9 @@ TEST(Paint, PicturesAreWholeAndPowersOfTwo)
 {
     for (int i = 0; i < static_cast<int>(Painting::count); ++i)
     {
-        const Picture picture = paint(static_cast<Painting>(i));
+        const auto painting = static_cast<Painting>(i);
+        const auto look = builtInLook("van");
+        const Picture picture = paint(painting, painting == Painting::vehicle ? look.get() : nullptr);
         EXPECT_TRUE(std::has_single_bit(static_cast<unsigned>(picture.widthPx))) << i;
         EXPECT_TRUE(std::has_single_bit(static_cast<unsigned>(picture.heightPx))) << i;
         EXPECT_EQ(picture.rgba.size(),
@@ -56,8 +59,11 @@ TEST(Paint, PicturesAreWholeAndPowersOfTwo)
 
 TEST(Paint, AlwaysPaintsTheSame)
 {
-    for (const Painting painting : {Painting::oakLeaves, Painting::saloon, Painting::birchBark})
+    for (const Painting painting : {Painting::oakLeaves, Painting::wheel, Painting::birchBark})
         EXPECT_EQ(paint(painting), paint(painting));
+    const auto saloon = builtInLook("saloon"), estate = builtInLook("estate");
+    EXPECT_EQ(paint(Painting::vehicle, saloon.get()), paint(Painting::vehicle, saloon.get()));
+    EXPECT_NE(paint(Painting::vehicle, saloon.get()), paint(Painting::vehicle, estate.get()));
     EXPECT_NE(paint(Painting::oakLeaves), paint(Painting::bushLeaves));
 }
 

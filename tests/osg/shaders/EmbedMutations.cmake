@@ -3,10 +3,14 @@
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${SCRATCH}")
 
-# Embeds one file; `expected` is pass, or a part of the message of the error.
+# Embeds one file, as a shader where no other kind follows; `expected` is pass, or a part of the message of the error.
 function(expect expected name text)
     file(WRITE "${SCRATCH}/${name}" "${text}")
-    execute_process(COMMAND ${CMAKE_COMMAND} -DNAMESPACE=scratch -DOUTPUT=${SCRATCH}/out "-DFILES=${SCRATCH}/${name}" -P ${SCRIPT}
+    set(kind shaders)
+    if(ARGN)
+        set(kind ${ARGN})
+    endif()
+    execute_process(COMMAND ${CMAKE_COMMAND} -DKIND=${kind} -DNAMESPACE=scratch -DOUTPUT=${SCRATCH}/out "-DFILES=${SCRATCH}/${name}" -P ${SCRIPT}
         RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
     string(REGEX REPLACE "[ \n]+" " " said "${said}")
     if(expected STREQUAL "pass")
@@ -30,3 +34,13 @@ expect("no head" NoHead.glsl "${body}")
 expect("no head" NoBlankLine.glsl "// Licence\n${body}")
 expect("not ASCII" Letters.glsl "// Licence\n\n// Größe\n${body}")
 expect("not that of a shader" Text.txt "// Licence\n\n${body}")
+
+expect(pass car.json "// Licence\n\n{\"name\": \"car\"}\n" texts)
+file(READ "${SCRATCH}/out.cpp" source)
+string(FIND "${source}" "namespace scratch::texts\n{\nconst char kCar[] = R\"glsl({\"name\": \"car\"}\n)glsl\";" place)
+if(place EQUAL -1)
+    message(SEND_ERROR "the embedded text differs from the file: ${source}")
+endif()
+expect("no head" plain.json "{}\n" texts)
+expect("not that of a text" Text.txt "// Licence\n\n{}\n" texts)
+expect("give shaders or texts" car.json "// Licence\n\n{}\n" others)

@@ -6,11 +6,10 @@
 namespace scenery::models
 {
 
+struct VehicleLook;
+
 /// Paints the views of a vehicle from the side, above, front and behind (vehicles/VehicleForm.h), 1024 ×
 /// 1024. Alpha is the share of the tint: bodywork, not glass, lamps and tyres.
-Picture paintSaloon();
-Picture paintEstate();
-Picture paintVan();
-Picture paintBus();
+Picture paintVehicle(const VehicleLook& look);
 
 } // namespace scenery::models
