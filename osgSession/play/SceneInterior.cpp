@@ -16,7 +16,7 @@ namespace trainer
 std::unique_ptr<SceneInterior> SceneInterior::create(const PlayScene& play, osgViewer::View& view,
                                                      const ChannelRig& rig)
 {
-    auto made = InteriorView::create(play.ownship(), play.scene->eyeIn(play.watched));
+    auto made = InteriorView::create(play.scene->shapeOf(play.watched), play.scene->eyeIn(play.watched));
     if (!made) return nullptr;
     std::unique_ptr<SceneInterior> interior(new SceneInterior(std::move(made)));
     interior->_flies = play.ownship().isAirborne();

@@ -44,7 +44,16 @@ foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioOb
     const bool isThere = std::filesystem::exists(file, ignored);
     if (!object.model3d().empty() && !isThere)
         model._notes.push_back(object.name + ": there is no " + file.string() + "; a stand-in is drawn");
-    if (!object.model3d().empty() && isThere)
+    std::shared_ptr<const scenery::models::VehicleLook> vehicle;
+    if (isThere && file.extension() == ".json")
+    {
+        const auto look = shapes.lookIn(file);
+        if (!look) return look.error();
+        vehicle = *look;
+    }
+    const scenery::EntityLook look = scenery::entityLook(object, vehicle);
+    model._shape = look.shape;
+    if (!object.model3d().empty() && isThere && !vehicle)
     {
         const auto loaded = readModel(file, "give " + object.name + " another model3d");
         if (!loaded) return loaded.error();
@@ -55,7 +64,6 @@ foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioOb
     }
     else
     {
-        const scenery::EntityLook look = scenery::entityLook(object);
         model._generated = std::make_shared<scenery::EntityNode>(look.shape, shapes);
         model._flies = scenery::models::isAircraft(look.shape.kind);
         model._eye = model._generated->eye();

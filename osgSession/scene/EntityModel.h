@@ -19,8 +19,8 @@ namespace trainer
 {
 
 /// The model of an entity: the file that its `model3d` names, else a generated model by its category, names
-/// and size (scenery/nodes/EntityLook.h). Frame: the entity's own, placed by show(). Threads: show() between
-/// frames.
+/// and size (scenery/nodes/EntityLook.h). A file `.json` is the look of a generated vehicle. Frame: the
+/// entity's own, placed by show(). Threads: show() between frames.
 class EntityModel
 {
 public:
@@ -55,6 +55,9 @@ public:
     /// Returns the eye of the driver, rider, walker or pilot. Frame: the entity's.
     const glm::dvec3& eye() const { return _eye; }
 
+    /// As what it is generated, or would be in place of a model that was read: its interior fits it.
+    const scenery::models::EntityShape& shape() const { return _shape; }
+
     /// Which lamps the last show() has lit.
     const scenery::models::LitLamps& litLamps() const { return _lit; }
 
@@ -72,6 +75,7 @@ private:
     std::vector<std::string> _notes;
     bool _isHidden = false;
     glm::dvec3 _eye{0.0};
+    scenery::models::EntityShape _shape;
     scenery::models::LitLamps _lit{};
     std::shared_ptr<scenery::EntityNode> _generated; ///< has parts that move; else
     osg::ref_ptr<osg::MatrixTransform> _placed;

@@ -75,6 +75,12 @@ public:
     /// Returns the eye in an entity. Frame: the entity's.
     const glm::dvec3& eyeIn(std::size_t entity) const { return _entities[entity].eye(); }
 
+    /// Returns as what an entity is generated (EntityModel::shape()).
+    const scenery::models::EntityShape& shapeOf(std::size_t entity) const
+    {
+        return _entities[entity].shape();
+    }
+
     /// Returns which of an entity's lamps are lit.
     const scenery::models::LitLamps& lampsOf(std::size_t entity) const
     {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "scenery/nodes/EntityLook.h"
 #include "scenery/nodes/MirrorCamera.h"
 
 namespace trainer
@@ -55,10 +54,10 @@ osg::ref_ptr<osg::Stencil> uncovered()
 
 } // namespace
 
-std::unique_ptr<InteriorView> InteriorView::create(const simulation::ScenarioObject& vehicle,
+std::unique_ptr<InteriorView> InteriorView::create(const scenery::models::EntityShape& shape,
                                                    const glm::dvec3& eyeInBody)
 {
-    auto model = scenery::models::makeInterior(scenery::entityLook(vehicle).shape, eyeInBody);
+    auto model = scenery::models::makeInterior(shape, eyeInBody);
     return model ? std::unique_ptr<InteriorView>(new InteriorView(std::move(*model))) : nullptr;
 }
 

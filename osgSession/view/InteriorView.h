@@ -7,8 +7,8 @@
 #include <osg/Stencil>
 #include <osgViewer/View>
 
+#include "scenery/models/entities/EntityShape.h"
 #include "scenery/nodes/InteriorNode.h"
-#include "simulation/scenario/Entity.h"
 #include "view/Channel.h"
 
 namespace trainer
@@ -28,8 +28,9 @@ enum class MirrorPace
 class InteriorView
 {
 public:
-    /// `eyeInBody`: of the driver or pilot. Null where one does not sit inside of such an entity.
-    static std::unique_ptr<InteriorView> create(const simulation::ScenarioObject& vehicle,
+    /// `shape`: of the vehicle. `eyeInBody`: of the driver or pilot. Null where one does not sit inside of
+    /// such an entity.
+    static std::unique_ptr<InteriorView> create(const scenery::models::EntityShape& shape,
                                                 const glm::dvec3& eyeInBody);
 
     /// Begins to draw before `picture`, a camera of the view, and to keep it from what is covered. `air`: the

@@ -25,9 +25,10 @@ struct Colour
 };
 
 /// The words that can tell what an object is, in lower case.
-std::string wordsOf(const simulation::ScenarioObject& object)
+std::string wordsOf(const simulation::ScenarioObject& object, const models::VehicleLook* vehicle)
 {
-    std::string words = object.name + ' ' + object.model3d();
+    // Of a look its name, not its path: the folder "redwood" makes no car red.
+    std::string words = object.name + ' ' + (vehicle ? vehicle->name : object.model3d());
     std::visit(
         [&](const auto& content)
         {
@@ -137,9 +138,18 @@ Colour coatOf(EntityKind kind, std::uint32_t hash)
     return kind == EntityKind::sheep ? kWool[pick] : kBrown[pick];
 }
 
-/// A colour by a word of the names, else one of several by a hash of the object's name (FNV-1a).
-Colour colourOf(const std::string& words, const std::string& name, EntityKind kind)
+EntityKind kindOf(const models::VehicleLook& look)
 {
+    using models::VehicleKind;
+    return look.kind == VehicleKind::car   ? EntityKind::car
+           : look.kind == VehicleKind::van ? EntityKind::van
+                                           : EntityKind::bus;
+}
+
+/// A colour by a word of the names, else one of several by a hash of the object's name (FNV-1a).
+Colour colourOf(const std::string& words, const std::string& name, const EntityShape& shape)
+{
+    const EntityKind kind = shape.kind;
     static constexpr std::array<std::pair<std::string_view, Colour>, 12> kNamed{
         {{"white", {0.93F, 0.93F, 0.92F}},
          {"red", {0.72F, 0.09F, 0.08F}},
@@ -156,6 +166,11 @@ Colour colourOf(const std::string& words, const std::string& name, EntityKind ki
     if (isPaintable(kind))
         for (const auto& [word, colour] : kNamed)
             if (words.find(word) != std::string::npos) return colour;
+    if (shape.look)
+    {
+        const glm::vec3& colour = shape.look->colours[hashOf(name) % shape.look->colours.size()];
+        return {colour.r, colour.g, colour.b};
+    }
     static constexpr std::array<Colour, 8> kPaints{{{0.72F, 0.10F, 0.09F},
                                                     {0.80F, 0.81F, 0.83F},
                                                     {0.15F, 0.26F, 0.48F},
@@ -208,6 +223,21 @@ void takeAxles(EntityShape& shape, const simulation::Vehicle& vehicle)
         shape.axles[i].steers = shape.axles[i].steers && i == 0 && vehicle.frontAxle.has_value();
 }
 
+/// Gives a shape the size of its kind, or of its look.
+void setUsualSize(EntityShape& shape)
+{
+    if (!shape.look) return models::setDefaultSize(shape);
+    const models::VehicleForm& form = shape.look->form;
+    constexpr double kTrackShare = 0.86;
+    shape.lengthM = form.lengthM;
+    shape.widthM = form.widthM;
+    shape.heightM = form.heightM;
+    shape.middleXM = -form.axles.y;
+    const double track = kTrackShare * form.widthM;
+    shape.axles = {{form.axles.x - form.axles.y, track, form.wheelRadiusM, true},
+                   {0.0, track, form.wheelRadiusM, false}};
+}
+
 std::string metres(double value)
 {
     std::string text = std::to_string(value);
@@ -216,26 +246,29 @@ std::string metres(double value)
 
 } // namespace
 
-EntityLook entityLook(const simulation::ScenarioObject& object)
+EntityLook entityLook(const simulation::ScenarioObject& object,
+                      const std::shared_ptr<const models::VehicleLook>& vehicle)
 {
-    const std::string words = wordsOf(object);
+    const std::string words = wordsOf(object, vehicle.get());
     const simulation::BoundingBox& box = object.box();
     EntityLook look;
     EntityShape& shape = look.shape;
-    shape.kind = object.isAirborne()
+    shape.look = vehicle;
+    shape.kind = vehicle ? kindOf(*vehicle)
+                 : object.isAirborne()
                      ? flyingKind(object, words)
                      : std::visit([&](const auto& content) { return kindOf(content, words); }, object.object);
     shape.lengthM = box.lengthM;
     shape.widthM = box.widthM;
     shape.heightM = box.heightM;
     shape.middleXM = box.centre.x;
-    if (const auto* vehicle = std::get_if<simulation::Vehicle>(&object.object)) takeAxles(shape, *vehicle);
-    const Colour colour = colourOf(words, object.name, shape.kind);
+    if (const auto* wheeled = std::get_if<simulation::Vehicle>(&object.object)) takeAxles(shape, *wheeled);
+    const Colour colour = colourOf(words, object.name, shape);
     shape.red = colour.red;
     shape.green = colour.green;
     shape.blue = colour.blue;
     const bool isFitting = models::isPlausible(shape);
-    if (!isFitting) models::setDefaultSize(shape);
+    if (!isFitting) setUsualSize(shape);
     if (shape.kind == EntityKind::car) shape.body = bodyOf(shape, words, object.name);
     // Aircraft have one size for each kind unless the file's is plainly another.
     if (isFitting || models::isAircraft(shape.kind) || box == simulation::BoundingBox{}) return look;

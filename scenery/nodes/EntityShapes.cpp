@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/EntityShapes.h"
 
+#include "scenery/models/looks/VehicleLookFile.h"
 #include "scenery/nodes/ProgressiveModel.h"
 
 namespace scenery
@@ -17,6 +18,17 @@ std::shared_ptr<const ProgressiveEntity> EntityShapes::of(const models::EntitySh
             new osgPMObjects::ProgressiveShape(progressiveOf(mesh.mesh), _states.statesOf(mesh)));
     made = entity;
     return made;
+}
+
+foundation::Result<std::shared_ptr<const models::VehicleLook>>
+EntityShapes::lookIn(const std::filesystem::path& file)
+{
+    std::shared_ptr<const models::VehicleLook>& look = _looks[file.lexically_normal()];
+    if (look) return look;
+    auto read = models::readVehicleLook(file);
+    if (!read) return read.error();
+    look = std::make_shared<const models::VehicleLook>(*std::move(read));
+    return look;
 }
 
 } // namespace scenery

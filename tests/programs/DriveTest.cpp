@@ -74,6 +74,26 @@ TEST(Drive, HasTheSameTrafficAgainAndAtEveryRateOfPictures)
     EXPECT_EQ(rowsOf(drawnAtFive), rowsOf(first));
 }
 
+TEST(Drive, ShowsTheLookThatTheVehiclesFileNames)
+{
+    const Workplace place;
+    std::string text = bytesOf(kDriven);
+    text.replace(text.find("version=\"1\""), 11, "version=\"1\" look=\"mine.json\"");
+    const std::string car = place.write("my-car.xml", text);
+    place.write("mine.json", R"({"name": "white box", "like": "van"})");
+    const auto pictured = [&](const std::string& vehicle, const std::string& name)
+    {
+        EXPECT_TRUE(succeeds(runTrainer({"drive", kStreet, "--vehicle", vehicle, "--fps", "5", "--frames",
+                                         "1", "--size", "160x90", "--samples", "1", "--shadows", "off",
+                                         "--eye", "chase", "--capture", place.path(name)})));
+        return bytesOf(place.path(name + "/frame_00000.png"));
+    };
+    const std::string usual = pictured(kDriven, "usual"), own = pictured(car, "own");
+    EXPECT_GT(usual.size(), 1000U);
+    EXPECT_NE(usual, own);
+    EXPECT_EQ(usual, pictured(kDriven, "again"));
+}
+
 TEST(Drive, OnIceItComesLessFar)
 {
     const auto drivenM = [](const std::string& surface)

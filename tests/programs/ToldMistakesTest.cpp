@@ -81,6 +81,19 @@ TEST(ToldMistakes, VehiclesInOtherUnitsOrWithMisspeltNames)
                           1, "trainer", {"changed-car.xml:", "mostNm of 7 slows the vehicle by", "Nm"}));
 }
 
+TEST(ToldMistakes, ALookThatIsNone)
+{
+    const Workplace place;
+    const std::string car =
+        changed(place, "vehicles/car.xml", "version=\"1\"", "version=\"1\" look=\"look.json\"");
+    EXPECT_TRUE(failsWith(driven(car, {}), 1, "trainer", {"look.json: cannot be read"}));
+    place.write("look.json", R"({"name": "mine", "like": "saloon", "wheels": {"radiusM": 3}})");
+    EXPECT_TRUE(failsWith(driven(car, {}), 1, "trainer",
+                          {"look.json: /wheels/radiusM: is out of range", "give one from 0.1 to 1"}));
+    place.write("look.json", R"({"name": "mine", "like": "saloon"})");
+    EXPECT_TRUE(succeeds(driven(car, {})));
+}
+
 TEST(ToldMistakes, AStartBeyondTheWay)
 {
     const std::string car = kTree + "/data/vehicles/car.xml";

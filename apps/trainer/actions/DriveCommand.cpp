@@ -14,6 +14,7 @@
 #include "scene/RideAir.h"
 #include "scene/RideRoads.h"
 #include "scene/SceneTerrain.h"
+#include "scenery/models/looks/VehicleLookFile.h"
 #include "simulation/control/ControlSwitch.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
@@ -141,7 +142,10 @@ foundation::Outcome checkDrive(const DriveRequest& request)
 {
     if (const auto usable = checkBeforeRide(request); !usable) return usable;
     const auto vehicle = simulation::readRoadVehicle(request.vehicle);
-    return vehicle ? foundation::success() : vehicle.error();
+    if (!vehicle) return vehicle.error();
+    if (vehicle->lookFile.empty()) return foundation::success();
+    const auto look = scenery::models::readVehicleLook(vehicle->lookFile);
+    return look ? foundation::success() : look.error();
 }
 
 foundation::Outcome drive(const DriveRequest& asked)

@@ -2,6 +2,7 @@
 #include "RideScenario.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include <foundation/Angle.h>
@@ -55,6 +56,7 @@ simulation::Scenario driveScenario(const simulation::RoadVehicleData& data, cons
     constexpr double kBusFromKg = 8000.0;
     simulation::Vehicle vehicle;
     vehicle.name = data.name;
+    if (!data.lookFile.empty()) vehicle.model3d = std::filesystem::absolute(data.lookFile).string();
     vehicle.category = simulation::massProperties(data).massKg > kBusFromKg ? "bus" : "car";
     const simulation::HullBox& box = data.hull.boxes.front();
     double topM = 0.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -129,6 +130,7 @@ struct PerformanceData
 struct RoadVehicleData
 {
     std::string name;
+    std::filesystem::path lookFile; ///< of what it looks like; empty: by its size and mass
     RoadMass body;
     std::vector<RoadMass> loads;
     HullData hull;

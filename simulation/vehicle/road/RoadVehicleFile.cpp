@@ -247,6 +247,9 @@ foundation::Result<RoadVehicleData> readRoadSource(const foundation::XmlSource& 
         reader.fail(root, "is no <roadVehicle version=\"1\">",
                     "give a road vehicle's data file of this version");
     data.name = reader.name(root);
+    reader.onlyAttributes(root, "version look");
+    if (const std::string look = root.attribute("look").value(); !look.empty())
+        data.lookFile = std::filesystem::path(source.name()).parent_path() / look;
     if (!reader.error())
         reader.onlyElements(root, "body load air hull tyre axle steering brakes engine gearbox performance");
     if (!reader.error()) readMasses(reader, root, data);

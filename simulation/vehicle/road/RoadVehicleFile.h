@@ -12,7 +12,8 @@
 namespace simulation
 {
 
-/// Reads the data file of a type of road vehicle (docs/reference/road-vehicle-file.md).
+/// Reads the data file of a type of road vehicle (docs/reference/road-vehicle-file.md). The file of its look
+/// is named relative to it, and not read.
 /// Errors: those of the file and of XML; an element or attribute that is unknown, missing, given twice or
 /// outside its range; a table that is none; a source that is not listed; axles, gears or masses with which
 /// nothing stands or drives. Each names file, line and remedy.

@@ -29,6 +29,16 @@ TEST(RoadVehicleFileTest, ReadsTheVehiclesOfTheTree)
     EXPECT_NEAR(2.0 * (loads[0] + loads[1]), 1500.0 * 9.80665, 1e-6);
 }
 
+TEST(RoadVehicleFileTest, NamesItsLookRelativeToItself)
+{
+    std::string text = vehicleText("car");
+    EXPECT_TRUE(simulation::parseRoadVehicle(text, "folder/car.xml")->lookFile.empty());
+    text.replace(text.find("version=\"1\""), 0, "look=\"looks/mine.json\" ");
+    const auto car = simulation::parseRoadVehicle(text, "folder/car.xml");
+    ASSERT_TRUE(car) << car.error().message();
+    EXPECT_EQ(car->lookFile, std::filesystem::path("folder/looks/mine.json"));
+}
+
 struct RoadFault
 {
     const char* vehicle;
@@ -64,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
                     RoadFault{"car", "massKg=\"1425\"", "massKg=\"nan\"", "massKg is 'nan'"},
                     RoadFault{"car", "source=\"inertia\"", "source=\"nobody\"", "'nobody' is not listed"},
                     RoadFault{"car", "<air ", "<wind ", "<wind> is unknown"},
+                    RoadFault{"car", "version=\"1\" name", "version=\"1\" lok=\"a.json\" name",
+                              "did you mean look?"},
                     RoadFault{"car", "version=\"1\" name", "version=\"2\" name", "is no <roadVehicle"},
                     RoadFault{"car", "kind=\"automatic\"", "kind=\"robot\"", "kind is 'robot'"},
                     RoadFault{"car", "ratio=\"2.37\"", "ratio=\"4.37\"", "gears that do not fall"},

@@ -116,6 +116,16 @@ TEST(VehicleLook, AUsersFileIsAnotherSoundVehicleWithinItsBounds)
     EXPECT_EQ(look->marksOf(LookView::back).size(), builtInLook("estate")->marksOf(LookView::back).size());
 }
 
+TEST(VehicleLook, TheGuidesExampleIsASoundVan)
+{
+    const std::string page = wholeText(OSGTRAINER_SOURCE_DIR "/docs/guide/own-car.md");
+    const std::size_t from = page.find("```json\n") + 8;
+    const auto look = mine(page.substr(from, page.find("```", from) - from));
+    EXPECT_EQ(look->name, "parcel van");
+    EXPECT_EQ(defectOf(makeVehicle(look, 3)), "");
+    EXPECT_EQ(leftBounds(look), "");
+}
+
 TEST(VehicleLook, ThePageHasEveryMember)
 {
     const std::string page = wholeText(OSGTRAINER_SOURCE_DIR "/docs/reference/vehicle-look-file.md");
