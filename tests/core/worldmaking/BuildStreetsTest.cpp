@@ -213,10 +213,13 @@ TEST(WriteNetwork, TellsWhatItWouldLose)
 {
     const testsupport::TestFolder folder("streets");
     Streets streets = streetsOf(village(), hillside);
-    streets.network.roads[0].signals.emplace_back();
+    streets.network.roads[0].signals.emplace_back().post.emplace();
     const auto written = writeNetwork(streets.network, folder / "lost.xodr");
     ASSERT_FALSE(written);
-    EXPECT_NE(written.error().message().find("road 0 has a signal, which is not written"), std::string::npos);
+    EXPECT_NE(
+        written.error().message().find(
+            "road 0 has a signal with a post elsewhere, dependencies or references, which is not written"),
+        std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder / "lost.xodr"));
 }
 

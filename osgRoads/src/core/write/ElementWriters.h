@@ -13,6 +13,8 @@ namespace osgRoads::core
 void writeRoad(pugi::xml_node root, const Road& road);
 void writePlanView(pugi::xml_node roadNode, const ReferenceLine& line);
 void writeLanes(pugi::xml_node roadNode, const Road& road);
+void writeSignals(pugi::xml_node roadNode, const Road& road);
+void writeController(pugi::xml_node root, const Controller& controller);
 void writeJunction(pugi::xml_node root, const Junction& junction);
 
 } // namespace osgRoads::core

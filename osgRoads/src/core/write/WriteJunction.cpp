@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Source: ASAM OpenDRIVE 1.7, 12 (junctions).
+#include <string>
+
 #include "ElementWriters.h"
 #include "XmlFields.h"
 
@@ -33,6 +35,8 @@ void writeJunction(pugi::xml_node root, const Junction& junction)
         set(entry, "high", priority.high);
         set(entry, "low", priority.low);
     }
+    for (const std::string& id : junction.controllerIds)
+        set(node.append_child("controller"), "id", id);
 }
 
 } // namespace osgRoads::core

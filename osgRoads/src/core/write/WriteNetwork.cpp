@@ -44,7 +44,11 @@ std::string unwritten(const Road& road)
     };
     if (std::any_of(road.objects.begin(), road.objects.end(), isUnwritten))
         return "an object with outlines, repeats, marks or lanes of its own";
-    if (!road.signals.empty() || !road.signalReferences.empty()) return "a signal";
+    const auto isUnwrittenSignal = [](const Signal& signal)
+    { return signal.post || !signal.dependencies.empty() || !signal.references.empty(); };
+    if (std::any_of(road.signals.begin(), road.signals.end(), isUnwrittenSignal))
+        return "a signal with a post elsewhere, dependencies or references";
+    if (!road.signalReferences.empty()) return "a reference to a signal";
     for (const LaneSection& section : road.sections)
         if (hasUnwrittenLane(section.left) || hasUnwrittenLane(section.right) ||
             hasUnwrittenLane({section.centre}))
@@ -83,10 +87,6 @@ foundation::Outcome writeNetwork(const RoadNetwork& network, const std::filesyst
             return foundation::Error{file.string(),
                                      "road " + road.id + " has " + lost + ", which is not written",
                                      "take it out of the network first"};
-    if (!network.controllers.empty())
-        return foundation::Error{file.string(),
-                                 "the network has controllers of signals, which are not written",
-                                 "take them out of the network first"};
     pugi::xml_document document;
     pugi::xml_node declaration = document.append_child(pugi::node_declaration);
     set(declaration, "version", "1.0");
@@ -95,6 +95,8 @@ foundation::Outcome writeNetwork(const RoadNetwork& network, const std::filesyst
     writeHeader(root, network.header);
     for (const Road& road : network.roads)
         writeRoad(root, road);
+    for (const Controller& controller : network.controllers)
+        writeController(root, controller);
     for (const Junction& junction : network.junctions)
         writeJunction(root, junction);
     std::ostringstream text;

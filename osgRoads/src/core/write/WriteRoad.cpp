@@ -90,6 +90,7 @@ void writeRoad(pugi::xml_node root, const Road& road)
     writeProfile(node.append_child("lateralProfile"), "superelevation", "s", road.superelevationRad);
     writeLanes(node, road);
     writeObjects(node, road);
+    writeSignals(node, road);
 }
 
 } // namespace osgRoads::core
