@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include <osgRoads/core/query/LaneSpan.h>
@@ -85,6 +86,7 @@ public:
         for (const Road& road : _network.roads)
             for (const Signal& signal : road.signals)
                 byId.emplace(signal.id, &signal);
+        findPlaces();
         for (std::size_t i = 0; i < _network.roads.size(); ++i)
         {
             const Road& road = _network.roads[i];
@@ -97,17 +99,71 @@ public:
         }
         std::vector<LightApproach> approaches;
         for (auto& [key, approach] : _found)
-            if (approach.junction >= 0) approaches.push_back(std::move(approach));
-        for (auto& approach : _between)
+        {
+            if (approach.junction < 0) continue;
+            for (std::size_t i = 0; i < approach.lanes.size() && approach.lanes.size() < kMostLanes; ++i)
+                addLanesBehind(i, approach);
             approaches.push_back(std::move(approach));
+        }
+        std::stable_sort(approaches.begin(), approaches.end(),
+                         [](const LightApproach& a, const LightApproach& b) { return a.place < b.place; });
+        for (auto& approach : _between)
+        {
+            approach.place = static_cast<int>(_network.junctions.size() + approaches.size());
+            approaches.push_back(std::move(approach));
+        }
         return approaches;
     }
 
 private:
+    static constexpr std::size_t kMostLanes = 200; ///< of an approach, with those behind its junction
+
+    /// Junctions that belong together, and lights between junctions, by the controllers of the network.
+    void findPlaces()
+    {
+        for (std::size_t i = 0; i < _network.junctions.size(); ++i)
+            _places.push_back(static_cast<int>(i));
+        std::map<std::string, int> firstOf;
+        for (std::size_t i = 0; i < _network.junctions.size(); ++i)
+            for (const std::string& id : _network.junctions[i].controllerIds)
+            {
+                const auto [first, isNew] = firstOf.emplace(id, _places[i]);
+                const int from = _places[i], to = first->second;
+                if (from != to)
+                    std::replace(_places.begin(), _places.end(), std::max(from, to), std::min(from, to));
+            }
+        std::map<std::string, std::pair<int, const Signal*>> lights;
+        for (std::size_t i = 0; i < _network.roads.size(); ++i)
+            for (const Signal& signal : _network.roads[i].signals)
+                if (signal.isDynamic && isTrafficLight(signal))
+                    lights.emplace(signal.id, std::pair(static_cast<int>(i), &signal));
+        for (std::size_t i = 0; i < _network.controllers.size(); ++i)
+        {
+            if (firstOf.contains(_network.controllers[i].id)) continue;
+            std::set<int> roads;
+            bool isForward = false, isBackward = false;
+            for (const auto& control : _network.controllers[i].controls)
+                if (const auto found = lights.find(control.signalId); found != lights.end())
+                {
+                    roads.insert(found->second.first);
+                    isForward |= found->second.second->orientation != '-';
+                    isBackward |= found->second.second->orientation != '+';
+                }
+            if (roads.size() != 1 || !isForward || !isBackward) continue;
+            for (const auto& control : _network.controllers[i].controls)
+                _streetControllers.emplace(control.signalId, i);
+        }
+    }
+
     void add(const Signal& signal, int road, double atM, char orientation)
     {
         if (!signal.isDynamic || !isTrafficLight(signal)) return;
         const Road& under = _network.roads[static_cast<std::size_t>(road)];
+        if (const auto street = _streetControllers.find(signal.id); street != _streetControllers.end())
+        {
+            addBetween(signal.id, road, atM, orientation != '-', static_cast<int>(street->second));
+            return;
+        }
         if (under.junction >= 0)
         {
             addInJunction(signal.id, road, atM, orientation);
@@ -122,7 +178,7 @@ private:
             isAtJunction = true;
             put(signal.id, *end);
         }
-        if (!isAtJunction) addBetween(signal.id, road, atM, orientation != '-');
+        if (!isAtJunction) addBetween(signal.id, road, atM, orientation != '-', -1);
     }
 
     void addInJunction(const std::string& light, int road, double atM, char orientation)
@@ -156,6 +212,7 @@ private:
     {
         LightApproach approach;
         approach.junction = end.junction;
+        approach.place = _places[static_cast<std::size_t>(end.junction)];
         approach.road = end.road;
         approach.isForward = end.isForward;
         approach.lineM = end.farM;
@@ -167,11 +224,31 @@ private:
         for (const JunctionConnection& connection :
              _network.junctions[static_cast<std::size_t>(end.junction)].connections)
             if (leadsTo(road, end.isForward, end.junction) && connection.incomingRoad == end.road)
-                addLanes(connection, approach);
+                addLanes(connection, 0.0, approach);
         return approach;
     }
 
-    void addLanes(const JunctionConnection& connection, LightApproach& approach) const
+    /// Who leaves the junction for another one of its place, where no light of theirs is, drives on.
+    void addLanesBehind(std::size_t index, LightApproach& approach) const
+    {
+        const LightLane lane = approach.lanes[index];
+        const Road& through = _network.roads[static_cast<std::size_t>(lane.lane.road)];
+        const RoadLink* const link = linkAhead(through, lane.lane.isForward);
+        if (!link || link->isJunction) return;
+        const bool isForward = link->contactPoint == osgRoads::core::ContactPoint::start;
+        const Road& between = _network.roads[static_cast<std::size_t>(link->index)];
+        const RoadLink* const next = linkAhead(between, isForward);
+        if (!next || !next->isJunction || next->index == through.junction ||
+            _places[static_cast<std::size_t>(next->index)] != approach.place ||
+            _found.contains({next->index, link->index, !isForward}))
+            return;
+        const double startM = lane.startM + through.length + between.length;
+        for (const JunctionConnection& connection :
+             _network.junctions[static_cast<std::size_t>(next->index)].connections)
+            if (connection.incomingRoad == link->index) addLanes(connection, startM, approach);
+    }
+
+    void addLanes(const JunctionConnection& connection, double startM, LightApproach& approach) const
     {
         if (connection.connectingRoad < 0) return;
         const Road& through = _network.roads[static_cast<std::size_t>(connection.connectingRoad)];
@@ -182,7 +259,14 @@ private:
             for (const osgRoads::core::Lane& lane : section.*side)
                 if (osgRoads::core::isForCars(lane.type) &&
                     osgRoads::core::runsForward(through, lane) == entersAtStart)
-                    approach.lanes.push_back({connection.connectingRoad, lane.id, entersAtStart});
+                    addLane({{connection.connectingRoad, lane.id, entersAtStart}, startM}, approach);
+    }
+
+    static void addLane(const LightLane& lane, LightApproach& approach)
+    {
+        const bool isThere = std::any_of(approach.lanes.begin(), approach.lanes.end(),
+                                         [&](const LightLane& other) { return other.lane == lane.lane; });
+        if (!isThere) approach.lanes.push_back(lane);
     }
 
     double limitAt(int road, double atM) const
@@ -193,11 +277,12 @@ private:
         return speedLimitAt(_roads, place).value_or(kTownMps);
     }
 
-    /// Lights of one crossing for people on foot belong together.
-    void addBetween(const std::string& light, int road, double atM, bool isForward)
+    /// Lights of one crossing for people on foot belong together. `controller`: their own; -1: none.
+    void addBetween(const std::string& light, int road, double atM, bool isForward, int controller)
     {
         for (std::size_t i = 0; i < _between.size(); ++i)
-            if (_between[i].road == road && std::abs(_betweenM[i] - atM) < kOneCrossingM)
+            if (_between[i].road == road && _betweenControllers[i] == controller &&
+                (controller >= 0 || std::abs(_between[i].atM - atM) < kOneCrossingM))
             {
                 _between[i].lights.push_back(light);
                 return;
@@ -207,15 +292,18 @@ private:
         approach.isForward = isForward;
         approach.limitMps = limitAt(road, atM);
         approach.lights = {light};
+        approach.atM = atM;
         _between.push_back(std::move(approach));
-        _betweenM.push_back(atM);
+        _betweenControllers.push_back(controller);
     }
 
     const RoadScene& _roads;
     const LitNetwork& _network;
     std::map<std::tuple<int, int, bool>, LightApproach> _found; ///< by junction, road, backward
     std::vector<LightApproach> _between;
-    std::vector<double> _betweenM;
+    std::vector<int> _betweenControllers;
+    std::vector<int> _places;                              ///< of junctions: the first one that belongs to it
+    std::map<std::string, std::size_t> _streetControllers; ///< of lights between junctions
 };
 
 } // namespace

@@ -17,8 +17,11 @@ namespace simulation
 /// amber 1 s. Between two stages lies what the last one needs to clear the lanes of the next, in whole
 /// seconds. The cycle is 60 s for two stages, 15 s more for each other one, 90 s at most, more where that
 /// leaves less than 10 s of green. Where there is one stage alone, people on foot have the other one.
-/// Controllers of the network are not asked: programs write all lights of a junction into one of them, as
-/// well as those that are switched together.
+/// Lights for people on foot are green in the stages in which nobody has green who comes over the road that
+/// they cross, or drives straight into it; they are red so early that the last one has crossed at 1.2 m/s
+/// when the next stage begins.
+/// Controllers of the network do not say which lights go together: programs write all lights of a junction
+/// into one of them. But junctions that name the same one have one programme.
 /// Source: Allgemeine Verwaltungsvorschrift zur Straßenverkehrs-Ordnung, § 37, IX (yellow, red and amber);
 /// FGSV, *Richtlinien für Lichtsignalanlagen*, 2015 (times between greens: a vehicle crosses the line up to
 /// 3 s after green, 2 s where it turns, and clears at 10 m/s, at 7 m/s where it turns; the next one comes at
