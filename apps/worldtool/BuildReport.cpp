@@ -112,6 +112,9 @@ nlohmann::ordered_json rowOf(const worldmaking::StreetReport& report)
             {"levelCrossings", report.levelCrossings},
             {"bareTunnels", report.bareTunnels},
             {"sharpBends", report.sharpBends},
+            {"litPlaces", report.litPlaces},
+            {"trafficLights", report.trafficLights},
+            {"waitSigns", report.waitSigns},
             {"roadsKm", report.lengthKm},
             {"maxGradePercent", report.steepestPercent},
             {"steepKm", report.steepKm}};

@@ -16,6 +16,7 @@
 #include "worldmaking/plan/Waters.h"
 #include "worldmaking/streets/PathTags.h"
 #include "worldmaking/streets/StreetTraits.h"
+#include "worldmaking/streets/WaitTags.h"
 
 namespace worldmaking
 {
@@ -173,6 +174,7 @@ void countUnused(const LandShape& shape, LandReport& report)
     const auto natural = valueOf(tags, "natural");
     if (valueOf(tags, "aeroway") == "runway" || valueOf(tags, "aeroway") == "windsock") return;
     if (valueOf(tags, "highway") == "street_lamp") return;
+    if (shape.form == ShapeForm::point && !waitTagsOf(tags).isEmpty()) return;         // of streets
     if (valueOf(tags, "power") == "tower" || valueOf(tags, "power") == "pole") return; // where lines bend
     if (scenery::structureOf(std::vector<glm::dvec2>(shape.form == ShapeForm::point ? 1 : 2), tags, 0))
         return;

@@ -2,9 +2,12 @@
 #include "worldmaking/map/ReadOsm.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <limits>
+#include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <foundation/ReadableFile.h>
@@ -68,7 +71,16 @@ public:
     std::vector<TurnRule> turnRules;
 };
 
-/// Fills in the positions of nodes. `nodes`: by id.
+/// Whether a node says who waits there.
+bool saysWhoWaits(const osmium::TagList& tags)
+{
+    const std::string_view value = tags.get_value_by_key("highway", "");
+    constexpr std::array<std::string_view, 4> kWords{"traffic_signals", "crossing", "stop", "give_way"};
+    return std::any_of(kWords.begin(), kWords.end(),
+                       [&](std::string_view word) { return value.find(word) != std::string_view::npos; });
+}
+
+/// Fills in the positions of nodes, and the tags of those that say who waits. `nodes`: by id.
 class NodeHandler : public osmium::handler::Handler
 {
 public:
@@ -82,7 +94,12 @@ public:
             return;
         found->latitudeDeg = node.location().lat();
         found->longitudeDeg = node.location().lon();
-        isFound[static_cast<std::size_t>(found - _nodes.begin())] = 1;
+        const auto index = static_cast<std::size_t>(found - _nodes.begin());
+        isFound[index] = 1;
+        if (!saysWhoWaits(node.tags())) return;
+        Tags& kept = tags[static_cast<std::uint32_t>(index)];
+        for (const osmium::Tag& tag : node.tags())
+            kept.emplace(tag.key(), tag.value());
     }
 
 private:
@@ -90,6 +107,7 @@ private:
 
 public:
     std::vector<char> isFound;
+    std::map<std::uint32_t, Tags> tags; ///< by index
 };
 
 template<class Handler>
@@ -162,6 +180,8 @@ StreetMap read(const osmium::io::File& file)
     NodeHandler nodes(map.nodes);
     readInto(file, osmium::osm_entity_bits::node, nodes);
     const auto places = keepFound(map.nodes, nodes.isFound);
+    for (auto& [index, tags] : nodes.tags)
+        map.nodeTags.emplace(places[index], std::move(tags));
     for (RawWay& way : ways.ways)
         addWay(std::move(way), ids, places, map);
     return map;

@@ -50,6 +50,9 @@ struct StreetMap
     std::vector<MapNode> nodes; ///< those that ways use, by id
     std::vector<MapWay> ways;   ///< by id
     std::vector<TurnRule> turnRules;
+    /// Of nodes that say who waits there (`highway` with traffic_signals, crossing, stop or give_way), by
+    /// index into nodes.
+    std::map<std::uint32_t, Tags> nodeTags;
     std::size_t missingNodes = 0; ///< named by ways, absent in the map; the ways go on without them
     std::size_t shortWays = 0;    ///< left out: fewer than two nodes
 };

@@ -27,7 +27,9 @@ struct StreetReport
     std::size_t bridges = 0, tunnels = 0, overpasses = 0, lostOverpasses = 0, overpassesLeftOpen = 0;
     std::size_t impliedBridges = 0; ///< where no ground can carry a street
     std::size_t sharpBends = 0;     ///< streets with a bend that is narrower than half their paving
-    double lengthKm = 0.0;          ///< of streets, without crossings
+    std::size_t litPlaces = 0;      ///< crossings, or groups of them, and places between that have lights
+    std::size_t trafficLights = 0, waitSigns = 0; ///< waitSigns: to stop and to give way
+    double lengthKm = 0.0;                        ///< of streets, without crossings
     double steepestPercent = 0.0;
     double steepKm = 0.0;                       ///< steeper than their class allows: the map leaves no room
     std::size_t tracks = 0, levelCrossings = 0; ///< chains of railways; where streets meet them

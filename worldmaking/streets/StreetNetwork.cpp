@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "worldmaking/streets/SignalPlan.h"
+#include "worldmaking/streets/StreetSignals.h"
 #include "worldmaking/streets/TurnArrows.h"
 
 namespace worldmaking
@@ -165,6 +167,7 @@ void StreetNetwork::build(RoadNetwork& network, StreetReport& report) const
         addJunction(i, network, report);
     report.streets = _graph.chains.size();
     report.crossings = _graph.crossings.size();
+    addSignals(signalPlanOf(_map, _graph, _lines, _cuts), network, report);
     network.index();
 }
 
