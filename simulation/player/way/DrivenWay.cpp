@@ -25,6 +25,16 @@ constexpr double kBendMps2 = 2.0, kWayGentleMps2 = 1.5, kBendSlowestMps = 2.5;
 
 constexpr double kWithoutLimitMps = 50.0 / 3.6; ///< where no limit is told
 
+/// Whether a road through a junction leads back, for one who came with a heading.
+bool turnsBack(const osgRoads::core::Road& road, bool isForward, double cameRad)
+{
+    constexpr double kBackRad = 2.4;
+    if (road.junction < 0) return false;
+    const double leavesRad = road.referenceLine.at(isForward ? road.length : 0.0).headingRad +
+                             (isForward ? 0.0 : std::numbers::pi);
+    return std::fabs(foundation::wrappedRad(leavesRad - cameRad)) > kBackRad;
+}
+
 double wayLimitAt(const RoadScene& roads, const RoadPlace& place)
 {
     return speedLimitAt(roads, place).value_or(kWithoutLimitMps);
@@ -156,6 +166,7 @@ void DrivenWay::choose(EntityMotion& motion)
     int lane = _tail.lane;
     bool hasGrown = false;
     double knownM = 0.0;
+    const double cameRad = headingBeforeJunctions();
     for (std::size_t i = _tailRoad; knownM < 4.0 * kWayPointM; ++i)
     {
         std::vector<RoadStep> steps = stepsFrom(network, _way[i], isForward, lane);
@@ -173,7 +184,9 @@ void DrivenWay::choose(EntityMotion& motion)
             {
                 const bool leadsOn = _table->leadsOn({step.road, step.lane, step.entersAtStart});
                 const bool isKnown = std::find(_way.begin(), _way.end(), step.road) != _way.end();
-                weights.push_back((leadsOn ? 1.0 : 1e-6) * (isKnown ? 1e-3 : 1.0));
+                const bool isBack = turnsBack(network.roads[static_cast<std::size_t>(step.road)],
+                                              step.entersAtStart, cameRad);
+                weights.push_back((leadsOn ? 1.0 : 1e-6) * (isKnown || isBack ? 1e-3 : 1.0));
             }
             taken = &steps[_draw->index(weights)];
             _way.push_back(taken->road);
@@ -184,6 +197,21 @@ void DrivenWay::choose(EntityMotion& motion)
         knownM += network.roads[static_cast<std::size_t>(taken->road)].length;
     }
     if (hasGrown) motion.setWay(_way);
+}
+
+/// With which it comes to the next junction, or came to the first of those that lie close together before it.
+double DrivenWay::headingBeforeJunctions() const
+{
+    constexpr double kCloseM = 15.0;
+    double fromM = _points.back().alongM;
+    for (auto crossing = _crossings.rbegin(); crossing != _crossings.rend(); ++crossing)
+    {
+        if (crossing->toM < fromM - kCloseM) break;
+        fromM = crossing->fromM;
+    }
+    const auto behind = std::find_if(_points.rbegin(), _points.rend(),
+                                     [&](const Point& point) { return point.alongM <= fromM; });
+    return behind == _points.rend() ? _points.front().headingRad : behind->headingRad;
 }
 
 void DrivenWay::add(const RoadPlace& place)

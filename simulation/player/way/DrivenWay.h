@@ -17,8 +17,8 @@ namespace simulation
 
 /// The way of a vehicle along lanes, from some metres behind it to some hundred metres ahead: where it leads,
 /// how fast one may go there, and through which junctions. Where several roads follow it draws one that does
-/// not lead to the end of all roads, and lets the entity follow it. Distances count along the way from where
-/// it began. Units: metres, m/s.
+/// not lead to the end of all roads, nor back through junctions that lie close together, and lets the entity
+/// follow it. Distances count along the way from where it began. Units: metres, m/s.
 class DrivenWay
 {
 public:
@@ -67,6 +67,7 @@ private:
     void forget();
     void lookAhead(EntityMotion& motion);
     void choose(EntityMotion& motion);
+    double headingBeforeJunctions() const;
     void add(const RoadPlace& place);
     void addLines(const RoadPlace& before);
     void addLinesOn(const RoadPlace& place, double fromM, double toM, double alongM);

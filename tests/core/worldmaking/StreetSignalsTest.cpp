@@ -440,5 +440,31 @@ TEST(StreetSignals, TrafficKeepsOrderAtACrossingOfAMap)
     expectOrder(litCrossing(kLight), 15.0, 180.0, 120.0);
 }
 
+/// Three streets meet at a triangle of short ones, round which all drive the same way, as where a map draws
+/// the islands of a junction. Those who drew turns without regard to whence they came went round it and back,
+/// and waited in it for those who waited for them: one stood 118 s, and four pairs touched.
+MadeMap triangle(const MadeMap::MapTags& tags)
+{
+    MadeMap map;
+    std::vector<int> corners, ends;
+    for (int i = 0; i < 3; ++i)
+    {
+        const double angle = 2.0943951 * i, x = std::cos(angle), y = std::sin(angle);
+        corners.push_back(map.node(11.0 * x, 11.0 * y, tags));
+        ends.push_back(map.node(120.0 * x, 120.0 * y));
+        map.way({corners.back(), ends.back()}, {{"highway", "tertiary"}});
+    }
+    corners.push_back(corners.front());
+    ends.push_back(ends.front());
+    map.way(corners, {{"highway", "tertiary"}, {"oneway", "yes"}});
+    map.way(ends, {{"highway", "tertiary"}});
+    return map;
+}
+
+TEST(StreetSignals, TrafficPassesATriangleOfShortStreets)
+{
+    expectOrder(triangle(kLight), 40.0, 600.0, 60.0);
+}
+
 } // namespace
 } // namespace streetsignals
