@@ -36,7 +36,7 @@ Names roadWordsOf(const std::string& function)
 Names roadAttributesOf(const Page& page)
 {
     Names names = page.column("Elements", 1);
-    for (const char* heading : {"box", "tyre", "axle", "engine", "gearbox", "converter"})
+    for (const char* heading : {"roadVehicle", "box", "tyre", "axle", "engine", "gearbox", "converter"})
         names.merge(page.column(heading, 0));
     names.erase("key");
     names.erase("name");
