@@ -43,6 +43,17 @@ double residentMb()
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
 }
 
+/// One for all pictures, which one rig draws.
+osgOffscreen::FrameBuffer::Sampling samplingOf(const std::vector<PictureShape>& pictures)
+{
+    using Sampling = osgOffscreen::FrameBuffer::Sampling;
+    constexpr int kMostPx = 8192; // twice as many are the most that Mesa draws into
+    const bool areSmall = std::all_of(pictures.begin(), pictures.end(),
+                                      [](const PictureShape& picture)
+                                      { return std::max(picture.widthPx, picture.heightPx) <= kMostPx; });
+    return areSmall ? Sampling::cheapest : Sampling::multisampled;
+}
+
 osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
 {
     const osg::ref_ptr<osgViewer::Viewer> viewer = new osgViewer::Viewer;
@@ -134,7 +145,7 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     {
         const auto context = osgOffscreen::OffscreenContext::create(
             {_request.frames.backend, picture.widthPx, picture.heightPx, _request.frames.samples,
-             osgOffscreen::kEverythingNeeds, osgOffscreen::FrameBuffer::Sampling::cheapest});
+             osgOffscreen::kEverythingNeeds, samplingOf(pictures)});
         if (!context) return context.error();
         _drawnSide = (*context)->drawnSide(); // of one driver
         _contexts.push_back(*context);
