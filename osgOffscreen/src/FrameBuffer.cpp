@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <osg/FrameBufferObject>
 
 #include <osgOffscreen/FrameBuffer>
@@ -16,12 +18,12 @@ bool FrameBuffer::create(const osg::GLExtensions& gl, int widthPx, int heightPx,
     GLint mostSamples = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE_EXT, &largest);
     glGetIntegerv(GL_MAX_SAMPLES_EXT, &mostSamples);
-    if (samples < 0 || samples > mostSamples) return false;
+    if (widthPx > largest || heightPx > largest || samples < 0 || samples > mostSamples) return false;
     const GLubyte* const renderer = glGetString(GL_RENDERER);
-    const int side = sampling == Sampling::cheapest && renderer
-                         ? pixelsInPlaceOf(samples, reinterpret_cast<const char*>(renderer))
-                         : 1;
-    if (widthPx > largest / side || heightPx > largest / side) return false;
+    int side = sampling == Sampling::cheapest && renderer
+                   ? pixelsInPlaceOf(samples, reinterpret_cast<const char*>(renderer))
+                   : 1;
+    if (std::max(widthPx, heightPx) > largest / side) side = 1;
 
     _widthPx = widthPx;
     _heightPx = heightPx;

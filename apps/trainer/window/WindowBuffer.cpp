@@ -37,9 +37,8 @@ bool WindowBuffer::fit()
     _buffer.destroy(gl);
     _widthPx = traits.width;
     _heightPx = traits.height;
-    using Sampling = osgOffscreen::FrameBuffer::Sampling;
-    const bool isMade = _buffer.create(gl, _widthPx, _heightPx, _samples, Sampling::cheapest) ||
-                        _buffer.create(gl, _widthPx, _heightPx, _samples); // twice the side may be too much
+    const bool isMade =
+        _buffer.create(gl, _widthPx, _heightPx, _samples, osgOffscreen::FrameBuffer::Sampling::cheapest);
     if (isMade) _buffer.bindForDrawing(gl);
     _window->setDefaultFboId(_buffer.drawId());
     if (!wasCurrent) _window->releaseContext();
