@@ -12,6 +12,7 @@
 #include "scene/SceneRoads.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
 #include "simulation/road/ScenarioRoads.h"
+#include "view/ChannelRig.h"
 #include "view/WatchedEntity.h"
 
 namespace trainer
@@ -86,8 +87,7 @@ void setBudget(osgPMObjects::ProgressiveField& field, osgPMObjects::core::SceneB
     (void)field.setBudget(budget); // valid, as the whole one is
 }
 
-} // namespace
-
+/// Lets terrain and roads err by so many pixels from the next picture on.
 void setTolerance(SceneTerrain& terrain, double tolerancePx)
 {
     if (terrain.terrain)
@@ -99,6 +99,7 @@ void setTolerance(SceneTerrain& terrain, double tolerancePx)
     if (terrain.roads) setRoadTolerance(*terrain.node, tolerancePx);
 }
 
+/// Draws by these rules from the next picture on. Terrain and roads keep their tolerance.
 void setQuality(PlayScene& play, const QualityRules& rules)
 {
     play.scene->setQuality(rules);
@@ -107,6 +108,17 @@ void setQuality(PlayScene& play, const QualityRules& rules)
     for (const StandingPart& part : play.terrain.standing)
         if (part.field) setBudget(*part.field, part.fullBudget, rules.budgetShare);
     if (play.scenery) setBudget(*play.scenery->node.field, play.scenery->fullBudget, rules.budgetShare);
+}
+
+} // namespace
+
+void drawWith(PlayScene& play, ChannelRig& rig, Quality quality, double tolerancePx, int drawnSide)
+{
+    QualityRules rules = rulesOf(quality);
+    rules.pixelsPerRay *= drawnSide;
+    setQuality(play, rules);
+    rig.setDrawnSide(drawnSide * rules.drawnSide);
+    setTolerance(play.terrain, drawnSide * tolerancePx); // counts pixels that are drawn
 }
 
 double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye)
@@ -196,7 +208,6 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     if (!watched) return watched.error();
     if (terrain.terrain)
         if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
-    if (terrain.roads) setRoadTolerance(*terrain.node, request.terrain.errorTolerancePx);
     addWeather(scenario, request);
     PlayScene play;
     play.terrain = std::move(terrain);
@@ -234,7 +245,6 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     if (play.cover) play.scene->sunlit().addChild(play.cover->node());
     play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->occluders : nullptr);
     if (play.skyShade) play.scene->sunlit().addChild(play.skyShade->node());
-    trainer::setQuality(play, rulesOf(request.frames.quality));
     request.terrain.opening->end("cover");
     return play;
 }

@@ -17,6 +17,8 @@
 namespace trainer
 {
 
+class ChannelRig;
+
 /// A scenario over its terrain, ready to be stepped and drawn, offscreen or in a window.
 struct PlayScene
 {
@@ -57,11 +59,9 @@ struct PlayScene
 /// repeat.
 inline constexpr int kSeatStepsPerSecond = 120;
 
-/// Draws by these rules from the next picture on. Terrain and roads keep their tolerance.
-void setQuality(PlayScene& play, const QualityRules& rules);
-
-/// Lets terrain and roads err by so many pixels from the next picture on.
-void setTolerance(SceneTerrain& terrain, double tolerancePx);
+/// Draws with a quality from the next picture on, and lets terrain and roads err by so many pixels of it.
+/// `drawnSide`: so many pixels are drawn along each side of one (osgOffscreen::FrameBuffer::drawnSide()).
+void drawWith(PlayScene& play, ChannelRig& rig, Quality quality, double tolerancePx, int drawnSide);
 
 /// Lets the weather of a request hold in a scenario from the begin on, after the scenario's own.
 void addWeather(simulation::Scenario& scenario, const PlayRequest& request);

@@ -141,21 +141,19 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
 {
     takeSeat();
     const std::vector<PictureShape> pictures = picturesOf(setup);
+    const auto sampling = samplingOf(pictures);
     for (const PictureShape& picture : pictures)
     {
         const auto context = osgOffscreen::OffscreenContext::create(
             {_request.frames.backend, picture.widthPx, picture.heightPx, _request.frames.samples,
-             osgOffscreen::kEverythingNeeds, samplingOf(pictures)});
+             osgOffscreen::kEverythingNeeds, sampling});
         if (!context) return context.error();
         _drawnSide = (*context)->drawnSide(); // of one driver
         _contexts.push_back(*context);
     }
     _viewer = makeViewer(_play.scene->root());
     _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
-    const QualityRules rules = drawnBy(rulesOf(_request.frames.quality), _drawnSide);
-    _rig->setDrawnSide(rules.drawnSide);
-    setQuality(_play, rules);
-    setTolerance(_play.terrain, _drawnSide * _request.terrain.errorTolerancePx);
+    drawWith(_play, *_rig, _request.frames.quality, _request.terrain.errorTolerancePx, _drawnSide);
     if (_request.frames.showsInterior(false)) _interior = SceneInterior::create(_play, *_viewer, *_rig);
     keepCameraTimings(*_viewer);
     // Patches and samples between those of the raster, as roads have them, exclude each other.

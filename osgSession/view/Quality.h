@@ -65,13 +65,4 @@ inline QualityRules rulesOf(Quality quality)
     return {};
 }
 
-/// The same where each pixel that is shown is drawn by so many along each side
-/// (osgOffscreen::FrameBuffer::drawnSide()). Tolerances count pixels drawn: whoever sets one multiplies it.
-inline QualityRules drawnBy(QualityRules rules, int side)
-{
-    rules.drawnSide *= side;
-    rules.pixelsPerRay *= side;
-    return rules;
-}
-
 } // namespace trainer

@@ -142,11 +142,8 @@ void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun, 
 /// Draws by the quality and with the tolerance that are chosen.
 void WindowSession::drawAsChosen()
 {
-    const int side = _buffer ? _buffer->buffer().drawnSide() : 1;
-    const QualityRules rules = drawnBy(rulesOf(_quality.quality()), side);
-    setQuality(_play, rules);
-    _rig->setDrawnSide(rules.drawnSide);
-    setTolerance(_play.terrain, side * _quality.tolerancePx());
+    drawWith(_play, *_rig, _quality.quality(), _quality.tolerancePx(),
+             _buffer ? _buffer->buffer().drawnSide() : 1);
 }
 
 /// Time goes on where nobody sees the window, but nothing is drawn. Keys that are held where another window
