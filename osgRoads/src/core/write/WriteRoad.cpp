@@ -40,10 +40,7 @@ void writeObject(pugi::xml_node objects, const RoadObject& object)
     set(node, "name", object.name);
     set(node, "type", object.type);
     set(node, "subtype", object.subtype);
-    set(node, "s", object.s);
-    set(node, "t", object.t);
-    set(node, "zOffset", object.zOffset);
-    set(node, "orientation", object.orientation == '0' ? "none" : std::string(1, object.orientation));
+    writePlace(node, object);
     set(node, "hdg", object.headingRad);
     set(node, "length", object.length);
     set(node, "width", object.width);

@@ -16,10 +16,7 @@ void writeSignal(pugi::xml_node signals, const Signal& signal)
     pugi::xml_node node = signals.append_child("signal");
     set(node, "id", signal.id);
     set(node, "name", signal.name);
-    set(node, "s", signal.s);
-    set(node, "t", signal.t);
-    set(node, "zOffset", signal.zOffset);
-    set(node, "orientation", signal.orientation == '0' ? "none" : std::string(1, signal.orientation));
+    writePlace(node, signal);
     set(node, "hOffset", signal.headingRad);
     set(node, "pitch", signal.pitchRad);
     set(node, "roll", signal.rollRad);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <foundation/XmlFields.h>
@@ -20,6 +21,16 @@ std::string_view keyword(const Keywords<Value, Count>& words, Value value)
     for (const auto& [word, meaning] : words)
         if (meaning == value) return word;
     return {};
+}
+
+/// Writes where an object or a signal is at its road, and for which direction it holds.
+template<class Thing>
+void writePlace(pugi::xml_node node, const Thing& thing)
+{
+    set(node, "s", thing.s);
+    set(node, "t", thing.t);
+    set(node, "zOffset", thing.zOffset);
+    set(node, "orientation", thing.orientation == '0' ? "none" : std::string(1, thing.orientation));
 }
 
 /// Writes an element for each piece of a profile. `start`: the name of its beginning, s or sOffset.
