@@ -31,13 +31,15 @@ uniform sampler2D drawn;
 uniform bool isTwice; // as many pixels are drawn along each side
 void main()
 {
-    vec3 mean = texture(drawn, at).rgb;
+    vec3 mean;
     if (isTwice)
     {
         ivec2 first = 2 * ivec2(at * vec2(textureSize(drawn, 0) / 2));
         mean = 0.25 * (texelFetch(drawn, first, 0).rgb + texelFetch(drawn, first + ivec2(1, 0), 0).rgb
                        + texelFetch(drawn, first + ivec2(0, 1), 0).rgb + texelFetch(drawn, first + ivec2(1, 1), 0).rgb);
     }
+    else
+        mean = texture(drawn, at).rgb;
     gl_FragColor = vec4(mean, 1.0);
 }
 )";

@@ -8,7 +8,7 @@
 namespace trainer
 {
 
-/// Where pixels of a picture lie in its framebuffer: drawn with fewer of them, and shown.
+/// Where pixels of a picture lie in its framebuffer: drawn with fewer or more of them, and shown.
 struct PicturePlace
 {
     int leftPx = 0, drawnLeftPx = 0;

@@ -80,7 +80,7 @@ CloudVolume keptVolume(const simulation::CloudLayer& layer, std::uint32_t seed)
     mark.addWord(seed);
     return foundation::KeptResults::ofUser().findOrMake(
         "clouds", mark, clouds::cloudVolumeIn, [&] { return clouds::makeCloudVolume(layer, seed); },
-        [](const CloudVolume& made) { return clouds::bytesOf(made); });
+        clouds::bytesOf);
 }
 
 osg::ref_ptr<osg::Program> program(const char* name, const std::string& fragment)
