@@ -133,6 +133,7 @@ foundation::Outcome VehicleMotion::begin(const EntityState& start, bool isAirbor
     _startS = timeS;
     _odometerM = start.odometerM;
     takeWeather(environment);
+    _isDark = isDark(environment);
     const auto begun = _vehicle->vehicle().begin({start.position, foundation::radiansOf(start.headingDeg),
                                                   start.speedMps, isAirborne && start.speedMps > 0.0},
                                                  *_ground, *_air);

@@ -233,6 +233,7 @@ TEST(ScenarioControl, LampsFollowDuskAndChangesOfLane)
         text.stories = story(event("left", laneChange(1, 4.0), timeCondition(3.0)));
         auto player = opened(text);
         ASSERT_TRUE(player);
+        EXPECT_EQ(isLit(ego(**player), "lowBeam"), isNight) << "before the first step";
         int left = 0, right = 0;
         double firstS = 1e9;
         while ((*player)->timeS() < 15.0)
