@@ -27,6 +27,31 @@ stage()
     stages+=("$seconds $name")
 }
 
+# whatIsChecked: a name for the files that are checked, the compiler and the data; empty where files differ from HEAD.
+whatIsChecked()
+{
+    [ -z "$(git status --porcelain 2>&1)" ] || return 0
+    { git rev-parse 'HEAD^{tree}'; "${CXX:-c++}" --version; echo "${OSGTRAINER_REAL_DATA:-}"; } | sha256sum | cut -c 1-16
+}
+
+# stageOnce NAME COMMAND…: a stage that is left out where it has passed before on the same files, so that hours of work that were broken
+# off go on where they stopped. What passed stands in build/passed, a folder for each state of the files.
+stageOnce()
+{
+    local state mark
+    state=$(whatIsChecked)
+    mark=build/passed/$state/${1//[^a-z0-9]/-}
+    if [ -n "$state" ] && [ -f "$mark" ]; then
+        printf '== %s: passed before on these files, %s s (remove %s to run it again)\n' "$1" "$(cat "$mark")" "$mark"
+        stages+=("$(cat "$mark") $1 (before)")
+        return
+    fi
+    stage "$@"
+    [ -n "$state" ] || return 0
+    mkdir -p "${mark%/*}"
+    printf '%s\n' "${stages[-1]%% *}" >"$mark"
+}
+
 # stageTable: the seconds of all stages, one a line, and their sum.
 stageTable()
 {
