@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -24,13 +25,18 @@ public:
     ContentMark& add(std::string_view bytes)
     {
         addWord(bytes.size());
-        while (bytes.size() >= sizeof(std::uint64_t))
+        const char* const end = bytes.data() + bytes.size();
+        const char* at = bytes.data();
+        std::uint64_t word = 0;
+        for (; end - at >= static_cast<std::ptrdiff_t>(sizeof(word)); at += sizeof(word))
         {
-            addWord(wordOf(bytes.substr(0, sizeof(std::uint64_t))));
-            bytes.remove_prefix(sizeof(std::uint64_t));
+            std::memcpy(&word, at, sizeof(word));
+            addWord(word);
         }
-        if (!bytes.empty()) addWord(wordOf(bytes));
-        return *this;
+        if (at == end) return *this;
+        word = 0;
+        std::memcpy(&word, at, static_cast<std::size_t>(end - at));
+        return addWord(word);
     }
 
     /// The values must have no bytes between their members.
@@ -65,14 +71,6 @@ private:
     {
         sum *= factor;
         return sum ^ sum >> 32;
-    }
-
-    /// At most eight bytes.
-    static std::uint64_t wordOf(std::string_view bytes)
-    {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes.data(), bytes.size());
-        return word;
     }
 
     std::array<std::uint64_t, 2> _sums{0xcbf29ce484222325ULL, 0x6c62272e07bb0142ULL};

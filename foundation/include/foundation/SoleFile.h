@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,7 +8,7 @@
 #include <system_error>
 
 #include <foundation/ContentMark.h>
-#include <foundation/WholeText.h>
+#include <foundation/MappedFile.h>
 
 namespace foundation
 {
@@ -20,7 +19,6 @@ namespace foundation
 /// Cost: that of reading the file, and the names in its folder.
 inline std::optional<ContentMark> markOfSoleFile(const std::filesystem::path& file)
 {
-    constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
     const std::string suffix = file.extension().string();
     const bool isPackage = suffix == ".gpkg";
     if (!isPackage && suffix != ".tif" && suffix != ".tiff") return std::nullopt;
@@ -34,8 +32,10 @@ inline std::optional<ContentMark> markOfSoleFile(const std::filesystem::path& fi
             other != name && other.starts_with(shared))
             return std::nullopt;
     if (failed) return std::nullopt;
-    const auto bytes = readWholeText(file, kMostBytes);
-    return bytes ? std::optional(ContentMark().add(*bytes)) : std::nullopt;
+    const auto bytes = MappedFile::open(file);
+    if (!bytes) return std::nullopt;
+    bytes->fetchAll();
+    return ContentMark().add(bytes->text());
 }
 
 } // namespace foundation
