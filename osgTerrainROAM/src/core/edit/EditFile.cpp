@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <foundation/MappedFile.h>
 #include <foundation/PlainBytes.h>
 #include <foundation/WholeFile.h>
-#include <foundation/WholeText.h>
 
 #include <osgTerrainROAM/core/edit/EditFile.h>
 #include <osgTerrainROAM/core/edit/TileEditor.h>
@@ -25,7 +25,6 @@ using foundation::appendValue;
 using foundation::ValueTaker;
 
 constexpr std::string_view kName = "osgTrainer edits 1\n";
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{8} << 30;
 
 /// What a file begins with, after kName.
 struct Header
@@ -41,6 +40,15 @@ struct Content
     Header header;
     std::vector<PointState> points;
     std::vector<ChunkState> chunks;
+    std::vector<RegionBounds::Sphere> spheres;
+};
+
+/// The same of a file that is read. Its chunks stay there: unpacked they are many times as large.
+struct ReadContent
+{
+    Header header;
+    std::vector<PointState> points;
+    ValueTaker chunks{{}}; ///< where they begin
     std::vector<RegionBounds::Sphere> spheres;
 };
 
@@ -64,18 +72,25 @@ bool takeChunk(ValueTaker& taker, ChunkState& chunk)
     return true;
 }
 
-/// `bytes`: how many there are; they bound what is reserved.
-bool take(ValueTaker& taker, std::size_t bytes, Content& content)
+/// Takes chunks until `use` returns false. False: it did, or there are too few bytes.
+template<class Use>
+bool takeChunks(ValueTaker& taker, std::uint64_t count, const Use& use)
 {
-    constexpr std::size_t kPointBytes = sizeof(GridPoint) + 1 + 2 * sizeof(SampleTable::Sample),
-                          kChunkBytes = sizeof(GridPoint) + ChunkState::kPoints / 8;
+    for (std::uint64_t i = 0; i < count; ++i)
+        if (ChunkState chunk; !takeChunk(taker, chunk) || !use(chunk)) return false;
+    return true;
+}
+
+/// `bytes`: how many there are; they bound what is reserved.
+bool take(ValueTaker& taker, std::size_t bytes, ReadContent& content)
+{
+    constexpr std::size_t kPointBytes = sizeof(GridPoint) + 1 + 2 * sizeof(SampleTable::Sample);
     if (!taker.take(content.header)) return false;
     content.points.reserve(std::min<std::uint64_t>(content.header.points, bytes / kPointBytes));
-    content.chunks.reserve(std::min<std::uint64_t>(content.header.chunks, bytes / kChunkBytes));
     for (std::uint64_t i = 0; i < content.header.points; ++i)
         if (!takePoint(taker, content.points.emplace_back())) return false;
-    for (std::uint64_t i = 0; i < content.header.chunks; ++i)
-        if (!takeChunk(taker, content.chunks.emplace_back())) return false;
+    content.chunks = taker;
+    if (!takeChunks(taker, content.header.chunks, [](const ChunkState&) { return true; })) return false;
     for (std::uint64_t i = 0; i < content.header.spheres; ++i)
         if (!taker.take(content.spheres.emplace_back())) return false;
     return taker.isEmpty();
@@ -111,7 +126,7 @@ std::string bytesOf(const Content& content)
 }
 
 /// Tells whether values are such as edits leave.
-bool isSoundFor(const Content& content, const RoamTile& tile)
+bool isSoundFor(const ReadContent& content, const RoamTile& tile)
 {
     const auto isBound = [](const SampleTable::Sample& s) { return s.errorM >= 0.0f && s.radiusM >= 0.0f; };
     const auto isHeight = [](float heightM)
@@ -127,8 +142,9 @@ bool isSoundFor(const Content& content, const RoamTile& tile)
                std::all_of(chunk.samples.begin(), chunk.samples.end(),
                            [&](const auto& sample) { return isBound(sample) && isHeight(sample.heightM); });
     };
+    ValueTaker chunks = content.chunks;
     return std::all_of(content.points.begin(), content.points.end(), isPoint) &&
-           std::all_of(content.chunks.begin(), content.chunks.end(), isChunk) &&
+           takeChunks(chunks, content.header.chunks, isChunk) &&
            content.spheres.size() == tile.regions.spheres().size();
 }
 
@@ -170,9 +186,10 @@ foundation::Outcome readEdits(RoamTile& tile, std::uint64_t source, const std::f
     const auto refuse = [&](const char* what, const char* remedy = "make it again, or take its line out") {
         return foundation::Error{file.string(), what, remedy};
     };
-    const auto text = foundation::readWholeText(file, kMostBytes);
-    if (!text) return text.error();
-    std::string_view bytes = *text;
+    const auto mapped = foundation::MappedFile::open(file);
+    if (!mapped) return mapped.error();
+    mapped->fetchAll();
+    std::string_view bytes = mapped->text();
     if (!bytes.starts_with(kName)) return refuse("holds no edits of a terrain that this version reads");
     std::uint64_t sum = 0;
     if (bytes.size() < kName.size() + sizeof(sum)) return refuse("is cut off");
@@ -180,14 +197,19 @@ foundation::Outcome readEdits(RoamTile& tile, std::uint64_t source, const std::f
     bytes.remove_suffix(sizeof(sum));
     if (markOf(bytes) != sum) return refuse("is cut off or damaged");
     ValueTaker taker(bytes.substr(kName.size()));
-    Content content;
+    ReadContent content;
     if (!take(taker, bytes.size(), content)) return refuse("is cut off or damaged");
     if (content.header.tile != markOfTile(tile))
         return refuse("belongs to other elevation data, or to another spacing");
     if (content.header.source != source) return refuse("was made for other roads");
     if (!isSoundFor(content, tile)) return refuse("holds values that no edit leaves");
     restorePoints(tile, content.points);
-    restoreChunks(tile, content.chunks);
+    takeChunks(content.chunks, content.header.chunks,
+               [&](const ChunkState& chunk)
+               {
+                   restoreChunk(tile, chunk);
+                   return true;
+               });
     tile.regions.setSpheres(content.spheres);
     tile.hidingGround.lowestM = std::min(tile.hidingGround.lowestM, content.header.lowestM);
     tile.addToMark(bytes);

@@ -140,10 +140,9 @@ void restorePoints(RoamTile& tile, std::span<const PointState> points)
     }
 }
 
-void restoreChunks(RoamTile& tile, std::span<const ChunkState> chunks)
+void restoreChunk(RoamTile& tile, const ChunkState& chunk)
 {
-    for (const ChunkState& chunk : chunks)
-        tile.tile.samples().setFineChunk(chunk.place.column, chunk.place.row, chunk.samples);
+    tile.tile.samples().setFineChunk(chunk.place.column, chunk.place.row, chunk.samples);
 }
 
 std::uint64_t markOfTile(const RoamTile& tile)

@@ -50,7 +50,7 @@ std::vector<ChunkState> chunksOf(const RoamTile& edited);
 bool isInTree(const RoamTile& tile, GridPoint place);
 
 void restorePoints(RoamTile& tile, std::span<const PointState> points);
-void restoreChunks(RoamTile& tile, std::span<const ChunkState> chunks);
+void restoreChunk(RoamTile& tile, const ChunkState& chunk);
 
 /// A mark of a tile's grid, frame, heights and bounds.
 std::uint64_t markOfTile(const RoamTile& tile);
