@@ -4,6 +4,7 @@
 #include <osg/LOD>
 #include <osg/MatrixTransform>
 #include <osgSky/SunShadows>
+#include <osgUtil/GLObjectsVisitor>
 
 #include "scenery/nodes/RangedGroup.h"
 
@@ -36,10 +37,24 @@ osg::ref_ptr<osg::Geometry> geometryAt(const osg::ref_ptr<osg::Vec3Array>& posit
     return geometry;
 }
 
+/// A place whose content the driver is given where it is drawn first: of a large world the first picture
+/// shows little, and all of it would be copied before.
+struct LatePlace : osg::MatrixTransform
+{
+    explicit LatePlace(const glm::dvec3& origin)
+        : osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z))
+    {
+    }
+
+    void traverse(osg::NodeVisitor& visitor) override
+    {
+        if (!dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor)) osg::MatrixTransform::traverse(visitor);
+    }
+};
+
 osg::Group& placeAt(osg::Group& parent, const glm::dvec3& origin)
 {
-    const osg::ref_ptr<osg::MatrixTransform> place =
-        new osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z));
+    const osg::ref_ptr<osg::MatrixTransform> place = new LatePlace(origin);
     parent.addChild(place);
     return *place;
 }
@@ -48,15 +63,18 @@ osg::Group& placeAt(osg::Group& parent, const glm::dvec3& origin)
 
 osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets)
 {
-    const osg::ref_ptr<osg::Vec3Array> positions = new osg::Vec3Array, normals = new osg::Vec3Array;
-    const osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array;
-    const osg::ref_ptr<osg::Vec2Array> uvs = new osg::Vec2Array;
-    for (std::size_t i = 0; i < facets.positions.size(); ++i)
+    const std::size_t count = facets.positions.size();
+    const auto corners = static_cast<unsigned>(count);
+    const osg::ref_ptr<osg::Vec3Array> positions = new osg::Vec3Array(corners),
+                                       normals = new osg::Vec3Array(corners);
+    const osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array(corners);
+    const osg::ref_ptr<osg::Vec2Array> uvs = new osg::Vec2Array(corners);
+    for (std::size_t i = 0; i < count; ++i)
     {
-        positions->push_back(vectorOf(facets.positions[i]));
-        normals->push_back(vectorOf(facets.normals[i]));
-        colours->push_back(osg::Vec4f(vectorOf(facets.colours[i]), facets.skies[i]));
-        uvs->push_back({facets.uvs[i].x, facets.uvs[i].y});
+        (*positions)[i] = vectorOf(facets.positions[i]);
+        (*normals)[i] = vectorOf(facets.normals[i]);
+        (*colours)[i] = osg::Vec4f(vectorOf(facets.colours[i]), facets.skies[i]);
+        (*uvs)[i].set(facets.uvs[i].x, facets.uvs[i].y);
     }
     const osg::ref_ptr<osg::Geometry> geometry = geometryAt(positions);
     geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
@@ -71,6 +89,14 @@ osg::ref_ptr<osg::Geometry> casterOf(const std::map<models::Painting, Facets>& f
 {
     const osg::ref_ptr<osg::Vec3Array> positions = new osg::Vec3Array;
     const osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
+    std::size_t corners = 0, all = 0;
+    for (const auto& [painting, some] : facets)
+    {
+        corners += some.positions.size();
+        all += some.indices.size();
+    }
+    positions->reserve(corners);
+    indices->reserve(all);
     for (const auto& [painting, some] : facets)
     {
         const auto first = static_cast<std::uint32_t>(positions->size());
