@@ -131,6 +131,41 @@ TEST(Consolidate, NeverAddsDefectsToCrowdedCards)
     EXPECT_GT(undone, 0) << "otherwise there was little to see";
 }
 
+/// Triangles that meet at 27 places, with their corners there up to `spread` away from the place.
+Mesh knots(std::uint64_t seed, double spread)
+{
+    testsupport::Random random(seed);
+    const auto off = [&] { return glm::dvec3(random.unit(), random.unit(), random.unit()) * 2.0 - 1.0; };
+    std::vector<glm::dvec3> positions;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t place = 0; place < 27; ++place)
+        for (int card = 0; card < 6; ++card)
+        {
+            const glm::dvec3 at(place % 3, place / 3 % 3, place / 9);
+            const auto first = static_cast<std::uint32_t>(positions.size());
+            positions.insert(positions.end(), {at + spread * off(), at + 0.1 * off(), at + 0.1 * off()});
+            triangles.push_back({first, first + 1, first + 2});
+        }
+    return meshOf(positions, triangles);
+}
+
+/// Such vertices are merged, though they lie farther from one another than a position may move elsewhere;
+/// what merges them pair by pair would leave some where they have moved as far as that, and cut their faces
+/// until the limit of passes.
+TEST(Consolidate, LeavesNoTJunctionInAKnot)
+{
+    std::size_t before = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+    {
+        Mesh mesh = knots(seed, 3.0e-5);
+        before += countMesh(mesh).tJunctions;
+        const ConsolidateReport report = consolidate(mesh);
+        EXPECT_EQ(report.facesAsTheyWere, 0u) << seed;
+        EXPECT_EQ(countMesh(mesh).tJunctions, 0u) << seed;
+    }
+    EXPECT_GT(before, 40u) << "otherwise there was little to see";
+}
+
 /// `faces` triangles between random ones of some positions.
 Mesh randomFaces(const std::vector<glm::dvec3>& positions, std::uint32_t faces)
 {

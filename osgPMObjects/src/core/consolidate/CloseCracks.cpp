@@ -78,9 +78,9 @@ public:
         const std::vector<std::uint32_t>& positions = _excerpt.positions();
         _state.tolerance = whole.state.tolerance;
         _state.mostNewFaces = whole.state.mostNewFaces;
-        whole.state.drift.resize(whole.mesh.positions.size(), 0.0);
+        whole.state.noteHomes(whole.mesh.positions);
         for (const std::uint32_t p : positions)
-            _state.drift.push_back(whole.state.drift[p]);
+            _state.homes.push_back(whole.state.homes[p]);
         for (const std::uint32_t p : whole.changed)
         {
             const auto found = std::lower_bound(positions.begin(), positions.end(), p);
@@ -96,7 +96,7 @@ public:
     {
         const std::vector<std::uint32_t>& positions = _excerpt.positions();
         for (std::size_t p = 0; p < positions.size(); ++p)
-            _whole.state.drift[positions[p]] = _state.drift[p];
+            _whole.state.homes[positions[p]] = _state.homes[p];
         _whole.state.mostNewFaces = _state.mostNewFaces;
         _whole.state.isAtLimit = _whole.state.isAtLimit || _state.isAtLimit;
         _excerpt.putBack(_whole.mesh, origins);

@@ -19,8 +19,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Share of the tolerance that positions may move; the rest is for rounding to floats.
-constexpr double kMostDrift = 0.97;
+/// Share of the tolerance that positions may move; the rest is for rounding to floats. Positions of a knot,
+/// nearer to each other than the tolerance, which patient passes do not bring to rest, may move farther to
+/// merge.
+constexpr double kMostDrift = 0.97, kMostKnotDrift = 4.0;
 
 /// One pass: all changes are collected before the first is made.
 class Pass
@@ -31,16 +33,17 @@ public:
           _tolerance(state.tolerance),
           _thinHeight(state.thinHeight),
           _mostDrift(kMostDrift * state.tolerance),
+          _mostStitchDrift((state.thinHeight > 0.0 ? kMostKnotDrift : kMostDrift) * state.tolerance),
           _mostNewFaces(state.mostNewFaces),
           _isAtLimit(state.isAtLimit),
-          _drift(state.drift),
+          _homes(state.homes),
           _waiting(state.waiting),
           _triangles(positionTriangles(mesh)),
           _edges(_triangles, mesh.positions.size()),
           _found(takeFound(findTJunctions(mesh.positions, _triangles, _edges, state.tolerance,
                                           OpenEdges::notMatched, state.among)))
     {
-        _drift.resize(mesh.positions.size(), 0.0);
+        state.noteHomes(mesh.positions);
         _waiting.clear();
     }
 
@@ -82,13 +85,34 @@ private:
         return std::minmax(from, to);
     }
 
-    /// Moves a position, unless it would have moved too far in all.
+    /// Returns how far a place may be from one of those in a box.
+    static double mostDistance(const glm::dvec3& from, const Extent& box)
+    {
+        return glm::length(glm::max(glm::abs(from - box.low), glm::abs(box.high - from)));
+    }
+
+    /// Moves a position, unless it would then be too far from where it was.
     bool move(std::uint32_t position, const glm::dvec3& where)
     {
-        const double after = _drift[position] + glm::length(where - _mesh.positions[position]);
-        if (after > _mostDrift) return false;
-        _drift[position] = after;
+        if (mostDistance(where, _homes[position]) > _mostDrift) return false;
         _mesh.positions[position] = where;
+        return true;
+    }
+
+    /// Moves two positions to their middle, unless one that has become either would then be too far from
+    /// where it was.
+    bool moveTogether(std::uint32_t one, std::uint32_t other)
+    {
+        const glm::dvec3 middle = 0.5 * (_mesh.positions[one] + _mesh.positions[other]);
+        Extent homes = _homes[one];
+        homes.add(_homes[other].low);
+        homes.add(_homes[other].high);
+        if (mostDistance(middle, homes) > _mostStitchDrift) return false;
+        for (const std::uint32_t position : {one, other})
+        {
+            _homes[position] = homes;
+            _mesh.positions[position] = middle;
+        }
         return true;
     }
 
@@ -103,10 +127,7 @@ private:
             const glm::dvec3 a = _mesh.positions[end], b = _mesh.positions[t.vertex];
             if (glm::length(b - a) > 2.0 * _tolerance || isTaken.count(end) || isTaken.count(t.vertex))
                 continue;
-            const glm::dvec3 middle = 0.5 * (a + b);
-            if (_drift[end] + glm::length(middle - a) > _mostDrift || !move(t.vertex, middle) ||
-                !move(end, middle))
-                continue;
+            if (!moveTogether(end, t.vertex)) continue;
             isTaken.insert({end, t.vertex});
             joined[std::max(end, t.vertex)] = std::min(end, t.vertex);
         }
@@ -184,11 +205,11 @@ private:
     }
 
     Mesh& _mesh;
-    const double _tolerance, _thinHeight, _mostDrift;
+    const double _tolerance, _thinHeight, _mostDrift, _mostStitchDrift;
     std::size_t& _mostNewFaces;
     bool& _isAtLimit;
     bool _isCutShort = false;
-    std::vector<double>& _drift;
+    std::vector<Extent>& _homes;
     std::vector<std::uint32_t>& _waiting;
     const std::vector<Triangle> _triangles;
     const EdgeTable _edges;

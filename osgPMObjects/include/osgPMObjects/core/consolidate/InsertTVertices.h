@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include <osgPMObjects/core/mesh/Extent.h>
 #include <osgPMObjects/core/mesh/Mesh.h>
 
 namespace osgPMObjects::core
@@ -31,18 +33,27 @@ struct TVertexState
     double thinHeight = 0.0; ///< faces with a T-vertex up to this height are removed, not cut
     std::size_t mostNewFaces =
         std::numeric_limits<std::size_t>::max(); ///< limit of faces that may still be added
-    bool isAtLimit = false;               ///< a pass would have exceeded it, or its search was cut short
-    std::vector<double> drift{};          ///< by position: how far it has moved so far
+    bool isAtLimit = false; ///< a pass would have exceeded it, or its search was cut short
+    /// by position: the box of the places where those merged into it were
+    std::vector<Extent> homes{};
     std::vector<std::uint8_t> among{};    ///< by position: 0 where it is ignored; empty: none is
     std::vector<std::uint32_t> waiting{}; ///< positions of T-junctions that the latest pass postponed
+
+    /// Notes where the positions are that have no home yet.
+    void noteHomes(std::span<const glm::dvec3> positions)
+    {
+        for (std::size_t p = homes.size(); p < positions.size(); ++p)
+            homes.push_back(extentOf(positions.subspan(p, 1)));
+    }
 };
 
 /// Makes one pass against T-junctions (see findTJunctions()). A vertex with its foot within twice the
 /// tolerance of an end of the edge is merged with that end, at their middle; a pass that merges does nothing
 /// else. Otherwise each open edge is split at the vertices on it, with its faces. New corners get attributes
 /// interpolated along the edge, so shading and texture do not change. An edge that is bent in this way may
-/// create new T-junctions: call the function until it changes nothing. No position moves farther than the
-/// tolerance in all passes together; a vertex that would remains a T-junction. A pass that would exceed the
+/// create new T-junctions: call the function until it changes nothing. No position ends farther than the
+/// tolerance from where it was, merged ones included; a vertex that would remains a T-junction. Where
+/// `thinHeight` is set, two may merge up to four tolerances from there. A pass that would exceed the
 /// limit of new faces, or whose search is cut short, inserts nothing: the tolerance is then larger than the
 /// details of the mesh.
 /// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002,
