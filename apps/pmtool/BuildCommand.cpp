@@ -14,6 +14,7 @@
 
 #include "pmtool/ArrangementOptions.h"
 #include "pmtool/Models.h"
+#include "pmtool/QuadricOptions.h"
 #include "pmtool/RemovalOptions.h"
 #include "pmtool/Timing.h"
 #include "terminal/CommandLine.h"
@@ -123,14 +124,16 @@ void addBuild(CLI::App& app, Chosen& chosen)
     addArrangementOptions(*command, request->arrangement);
     command->add_flag("--quantised", request->file.quantised, "vertices in 16 and 8 bits");
     command->add_flag("!--shape-only", request->simplify.keepSeams, "let textures, normals and materials go");
+    addQuadrics(*command, request->simplify.quadrics);
     command->callback(
         [request, command, &chosen]
         {
             for (const char* option : {"--support", "--support-depth"})
                 if (!request->removesVertices && command->count(option) > 0)
                     throw CLI::ValidationError(option, "has a meaning with --method removal only");
-            if (request->removesVertices && command->count("--shape-only") > 0)
-                throw CLI::ValidationError("--shape-only", "has no meaning with --method removal");
+            for (const char* option : {"--shape-only", "--quadrics"})
+                if (request->removesVertices && command->count(option) > 0)
+                    throw CLI::ValidationError(option, "has no meaning with --method removal");
             chosen.places.written = {request->output};
             chosen.places.read.assign(request->models.files.begin(), request->models.files.end()); // one
             chosen.work = [request]

@@ -12,6 +12,7 @@
 #include "pmtool/LevelMaker.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "pmtool/QuadricOptions.h"
 #include "terminal/CommandLine.h"
 
 namespace pmtool
@@ -162,12 +163,12 @@ void refuseOptions(const CLI::App& command, const SimplifyRequest& request)
 {
     std::vector<const char*> refused;
     if (request.method == SimplifyMethod::clusters)
-        refused = {"--placement",  "--envelope", "--join",        "--join-within",
+        refused = {"--placement",  "--quadrics", "--envelope",    "--join",   "--join-within",
                    "--shape-only", "--lopsided", "--thin-leaves", "--farther"};
     if (request.method == SimplifyMethod::images) refused = {"--tolerances", "--envelope", "--farther"};
     if (request.method == SimplifyMethod::removal)
-        refused = {"--placement",  "--envelope", "--join",       "--join-within",
-                   "--shape-only", "--lopsided", "--thin-leaves"};
+        refused = {"--placement",   "--quadrics",   "--envelope", "--join",
+                   "--join-within", "--shape-only", "--lopsided", "--thin-leaves"};
     else
         refused.insert(refused.end(), {"--support", "--support-depth"});
     for (const char* option : refused)
@@ -214,6 +215,7 @@ void addSimplify(CLI::App& app, Chosen& chosen)
         ->add_option("--placement", request->settings.placement,
                      "positions of vertices: subset, optimal (default), quality")
         ->transform(terminal::named(placements));
+    addQuadrics(*command, request->settings.quadrics);
     command
         ->add_option("--envelope", request->envelopePercent,
                      "largest distance from the original, per cent of the diagonal (0: no limit)")

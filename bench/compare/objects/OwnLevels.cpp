@@ -12,21 +12,27 @@ namespace
 
 using namespace osgPMObjects;
 
-struct NamedPlacement
+struct NamedCost
 {
     const char* name;
     core::Placement placement;
+    core::Quadrics quadrics = core::Quadrics::memoryless;
 };
 
-constexpr NamedPlacement kPlacements[] = {{"subset", core::Placement::subset},
-                                          {"optimal", core::Placement::optimal},
-                                          {"quality", core::Placement::quality}};
+constexpr NamedCost kCosts[] = {
+    {"subset", core::Placement::subset},
+    {"optimal", core::Placement::optimal},
+    {"quality", core::Placement::quality},
+    {"subset-accumulated", core::Placement::subset, core::Quadrics::accumulated},
+    {"optimal-accumulated", core::Placement::optimal, core::Quadrics::accumulated}};
 
-std::vector<SimplifiedLevel> levelsOf(const SimplifyTask& task, core::Placement placement)
+std::vector<SimplifiedLevel> levelsOf(const SimplifyTask& task, const NamedCost& cost)
 {
     core::CollapseSequence sequence;
-    const core::SimplifySettings settings{
-        .placement = placement, .keepSeams = task.seams, .materialColours = task.materialColours};
+    const core::SimplifySettings settings{.placement = cost.placement,
+                                          .quadrics = cost.quadrics,
+                                          .keepSeams = task.seams,
+                                          .materialColours = task.materialColours};
     const double runMs = millisecondsOf([&] { sequence = core::simplify(task.mesh, settings); });
     std::vector<SimplifiedLevel> levels;
     for (const std::size_t target : task.targets)
@@ -61,10 +67,9 @@ std::vector<SimplifiedLevel> removalLevels(const SimplifyTask& task)
 
 void addOwnTools(std::vector<SimplifyTool>& tools)
 {
-    for (const NamedPlacement& named : kPlacements)
-        tools.push_back({named.name, true, [placement = named.placement](const SimplifyTask& task) {
-                             return levelsOf(task, placement);
-                         }});
+    for (const NamedCost& cost : kCosts)
+        tools.push_back(
+            {cost.name, true, [&cost](const SimplifyTask& task) { return levelsOf(task, cost); }});
     tools.push_back({"removal", true, [](const SimplifyTask& task) { return removalLevels(task); }});
 }
 

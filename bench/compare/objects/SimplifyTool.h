@@ -49,7 +49,8 @@ struct SimplifyTool
 /// Returns all tools that are built in.
 std::vector<SimplifyTool> simplifyTools();
 
-/// Adds the simplifiers of osgPMObjects, one for each placement.
+/// Adds the simplifiers of osgPMObjects: one for each placement, and for two of them one with accumulated
+/// quadrics.
 void addOwnTools(std::vector<SimplifyTool>& tools);
 
 /// Makes levels by meshoptimizer's simplifier.

@@ -66,6 +66,40 @@ TEST(Simplify, GoesDownToNothingWhateverTheMesh)
         }
 }
 
+TEST(Simplify, GoesDownToNothingByAccumulatedQuadrics)
+{
+    for (const Mesh& mesh : awkwardMeshes())
+        for (const Placement placement : kPlacements)
+        {
+            const CollapseSequence sequence =
+                simplify(mesh, {.placement = placement, .quadrics = Quadrics::accumulated});
+            EXPECT_TRUE(isSequenceOf(sequence, mesh));
+            if (!sequence.steps.empty())
+            {
+                EXPECT_EQ(sequence.steps.back().facesAfter, 0u);
+            }
+            EXPECT_TRUE(isValid(levelOf(mesh, sequence, mesh.faces.size() / 2)));
+        }
+}
+
+/// The two ways give other levels, and neither is far better.
+TEST(Simplify, ByAccumulatedQuadricsIsAboutAsNearOnASmoothBody)
+{
+    const Mesh mesh = meshOf(testsupport::sphereMesh(40, 60));
+    for (const Placement placement : kPlacements)
+    {
+        const auto error = [&](Quadrics quadrics)
+        {
+            return meanErrorPercent(
+                mesh, levelOf(mesh, simplify(mesh, {.placement = placement, .quadrics = quadrics}), 300));
+        };
+        const double memoryless = error(Quadrics::memoryless), accumulated = error(Quadrics::accumulated);
+        EXPECT_NE(accumulated, memoryless); // the mutation: the setting does nothing
+        EXPECT_LT(accumulated, 1.5 * memoryless);
+        EXPECT_GT(accumulated, 0.67 * memoryless);
+    }
+}
+
 TEST(Simplify, ReachesEveryCountOfClosedMeshesWithinFourFaces)
 {
     const Mesh mesh = meshOf(testsupport::sphereMesh(40, 60));

@@ -58,6 +58,20 @@ TEST_F(SimplifyCommand, WritesLevelsByCountAndByError)
     EXPECT_GT(row["levels"][2]["errorMax"].get<double>(), 0.01);
 }
 
+TEST_F(SimplifyCommand, TakesAccumulatedQuadrics)
+{
+    const auto errorOf = [&](const std::string& options)
+    {
+        return run(model() + " --targets 10" + options)
+            ->json["models"][0]["levels"][0]["errorRms"]
+            .get<double>();
+    };
+    EXPECT_EQ(errorOf(" --quadrics memoryless"), errorOf(""));
+    EXPECT_NE(errorOf(" --quadrics accumulated"), errorOf(""));
+    EXPECT_THROW(run(model() + " --quadrics old"), CLI::ParseError);
+    EXPECT_THROW(run(model() + " --quadrics accumulated --method removal"), CLI::ParseError);
+}
+
 TEST_F(SimplifyCommand, StopsAtAnEnvelope)
 {
     const auto report = run(model() + " --envelope 0.5 --targets 1");

@@ -19,6 +19,12 @@ struct Quadric
     void addPlane(const glm::dvec3& unitNormal, double weight);
     double at(const glm::dvec3& fromOrigin) const;
     double trace() const { return xx + yy + zz; }
+    Quadric& operator+=(const Quadric& other)
+    {
+        xx += other.xx, yy += other.yy, zz += other.zz;
+        xy += other.xy, xz += other.xz, yz += other.yz;
+        return *this;
+    }
     glm::dmat3 matrix() const { return {xx, xy, xz, xy, yy, yz, xz, yz, zz}; }
 };
 

@@ -18,10 +18,20 @@ enum class Placement
     quality, ///< the same for the mean error alone; slender features may be lost
 };
 
+/// Which planes the cost of a collapse looks at.
+enum class Quadrics
+{
+    memoryless,  ///< those of the faces around both positions as they are now
+    accumulated, ///< those of all faces that were ever around what has merged into them
+};
+
 /// Settings of simplify().
 struct SimplifySettings
 {
     Placement placement = Placement::subset;
+    /// Accumulated ones know how far a place is from the original surface, but count a plane as often as it
+    /// has been added.
+    Quadrics quadrics = Quadrics::memoryless;
     /// Also weigh appearance: borders of materials, texture coordinates, normals and colours.
     bool keepSeams = true;
     /// Texture drift, in widths of the texture, beyond which it costs as much as a displacement of the

@@ -105,8 +105,28 @@ void CollapseChoice::updateShape(std::uint32_t position)
     _state.shapes[position] = shapeOf(_star);
 }
 
+void CollapseChoice::beginAccumulating(std::uint32_t position)
+{
+    updateShape(position);
+    _state.accumulated[position] = {_state.shapes[position].quadric};
+}
+
+/// The place and the cost by accumulated quadrics.
+CollapseChoice::Place CollapseChoice::placeByHistory(std::uint32_t to) const
+{
+    const glm::dvec3 &here = _state.positions[_star.middle], &there = _state.positions[to];
+    const AccumulatedQuadric &from = _state.accumulated[_star.middle], &into = _state.accumulated[to];
+    if (!_state.movesPlaces()) return {there, std::max(0.0, from.at(there - here) + into.constant)};
+    const CollapsingEdge edge{here, there, _state.shapes[_star.middle], _state.shapes[to],
+                              sharedAreaVector(_star, to)};
+    const glm::dvec3 half = 0.5 * (there - here);
+    const glm::dvec3 at = allowedPlace(to, bestPlace(edge, from.about(half) + into.about(-half)));
+    return {at, std::max(0.0, from.at(at - here) + into.at(at - there))};
+}
+
 CollapseChoice::Place CollapseChoice::placeFor(std::uint32_t to) const
 {
+    if (!_state.accumulated.empty()) return placeByHistory(to);
     const glm::dvec3 &here = _state.positions[_star.middle], &there = _state.positions[to];
     const StarShape& shape = _state.shapes[_star.middle];
     if (!_state.movesPlaces()) return {there, std::max(0.0, shape.quadric.at(there - here))};

@@ -23,6 +23,9 @@ public:
     /// Recomputes the shape of a position's star and stores it in the state.
     void updateShape(std::uint32_t position);
 
+    /// Begins the accumulated quadric of a position with the planes around it.
+    void beginAccumulating(std::uint32_t position);
+
     /// Returns the best collapse of a position; `to` is ~0 where it has no faces. `refused`: neighbours to
     /// exclude.
     Candidate bestOf(std::uint32_t position, std::span<const std::uint32_t> refused = {});
@@ -60,6 +63,7 @@ private:
         double cost = 0.0;
     };
     Place placeFor(std::uint32_t to) const;
+    Place placeByHistory(std::uint32_t to) const;
     glm::dvec3 allowedPlace(std::uint32_t to, const glm::dvec3& wanted) const;
     glm::dvec3 placeKeepingLastArea(std::uint32_t to);
     bool staysOnItsLines(std::uint32_t to) const;

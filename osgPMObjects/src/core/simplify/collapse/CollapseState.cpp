@@ -68,6 +68,7 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       foliage(foliageOf(*this, original)),
       areaCost(AreaCost::forModel(given, meanSize(parts, positions), !foliage.empty())),
       shapes(positions.size()),
+      accumulated(given.quadrics == Quadrics::accumulated ? positions.size() : 0),
       errors(positions.size()),
       changes(positions.size(), 0),
       candidates(positions.size())

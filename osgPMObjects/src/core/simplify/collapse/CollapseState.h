@@ -62,10 +62,11 @@ struct CollapseState
         nearby; ///< by position: the nearest one of another part; empty: parts do not join
     mutable std::vector<std::uint32_t> wentTo; ///< by position: the one it has merged into; itself: none
     AreaCost areaCost;
-    std::vector<StarShape> shapes;      ///< by position
-    std::vector<LevelError> errors;     ///< by position: of everything merged into it
-    std::vector<std::uint32_t> changes; ///< by position: number of changes of its star
-    std::vector<Candidate> candidates;  ///< by position
+    std::vector<StarShape> shapes;               ///< by position
+    std::vector<AccumulatedQuadric> accumulated; ///< by position; empty: quadrics are memoryless
+    std::vector<LevelError> errors;              ///< by position: of everything merged into it
+    std::vector<std::uint32_t> changes;          ///< by position: number of changes of its star
+    std::vector<Candidate> candidates;           ///< by position
 
     CollapseState(const Mesh& original, const SimplifySettings& settings);
 

@@ -10,9 +10,11 @@ namespace osgPMObjects::core
 
 PartialSequence Collapser::run(std::span<const std::uint32_t> parts)
 {
-    if (_state.movesPlaces())
-        for (const std::uint32_t part : parts)
-            for (const std::uint32_t position : _state.parts[part].positions)
+    for (const std::uint32_t part : parts)
+        for (const std::uint32_t position : _state.parts[part].positions)
+            if (!_state.accumulated.empty())
+                _choice.beginAccumulating(position);
+            else if (_state.movesPlaces())
                 _choice.updateShape(position);
     for (const std::uint32_t part : parts)
         for (const std::uint32_t position : _state.parts[part].positions)
@@ -150,6 +152,9 @@ void Collapser::perform(std::uint32_t from, std::uint32_t to, const Urgency& urg
     takeFaces(to);
     _ring = _choice.star().neighbours;
     _state.stars.collapse(from, to, _done.sequence.wedgesOf(_done.sequence.steps.size() - 1));
+    if (!_state.accumulated.empty())
+        _state.accumulated[to] = _state.accumulated[from].about(effect.at - _state.positions[from]) +
+                                 _state.accumulated[to].about(effect.at - _state.positions[to]);
     _state.positions[to] = effect.at;
     _state.errors[to] = effect.error;
     _queue.erase(from);

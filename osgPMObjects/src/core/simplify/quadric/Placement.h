@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "AccumulatedQuadric.h"
 #include "StarQuadric.h"
 
 namespace osgPMObjects::core
@@ -48,5 +49,8 @@ double costAt(const CollapsingEdge& edge, const glm::dvec3& at);
 /// 3.3. Differs: minimises the quadric with the volume as a constraint and a weak pull to the middle, instead
 /// of adding constraints up to three.
 glm::dvec3 bestPlace(const CollapsingEdge& edge);
+
+/// The same for a quadric that has added up, about the middle of the edge.
+glm::dvec3 bestPlace(const CollapsingEdge& edge, const AccumulatedQuadric& aboutMiddle);
 
 } // namespace osgPMObjects::core
