@@ -2,6 +2,8 @@
 #include "Contestants.h"
 
 #include <osgPMObjects/core/order/FaceOrder.h>
+#include <osgPMObjects/core/order/TriangleOrders.h>
+#include <osgPMObjects/core/order/TriangleStrips.h>
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 
 #include <osgPMObjects/ExportNode>
@@ -41,6 +43,29 @@ std::vector<Contestant> contestantsOf(const core::Mesh& mesh, const core::Collap
                        return exportNode(level, {});
                    }});
     return all;
+}
+
+std::vector<Contestant> stripContestantsOf(const core::Mesh& mesh, const core::CollapseSequence& sequence)
+{
+    const auto drawn = [&](const auto& order, const StripMaker& strip)
+    {
+        return [&mesh, &sequence, order, strip](std::uint32_t steps) -> osg::ref_ptr<osg::Node>
+        {
+            core::Mesh level = core::meshAfter(mesh, sequence, steps);
+            core::orderFaces(level, order);
+            return exportNode(level, {}, strip);
+        };
+    };
+    const auto strips = [&](core::StripKind kind)
+    {
+        return drawn(core::FaceOrder::library,
+                     [kind](std::span<const core::Triangle> triangles, std::uint32_t vertexCount)
+                     { return core::joinStrips(triangles, core::stripsOf(triangles, vertexCount, kind)); });
+    };
+    return {{"triangles", drawn(core::FaceOrder::library, {})},
+            {"triangles, Hilbert", drawn(core::TriangleOrder(core::hilbertOrder), {})},
+            {"SGI strips", strips(core::StripKind::sgi)},
+            {"dual-graph strips", strips(core::StripKind::dualGraph)}};
 }
 
 std::vector<Contestant> movingContestantsOf(const core::Mesh& mesh, const core::CollapseSequence& sequence)

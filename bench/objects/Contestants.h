@@ -25,6 +25,11 @@ struct Contestant
 std::vector<Contestant> contestantsOf(const osgPMObjects::core::Mesh& mesh,
                                       const osgPMObjects::core::CollapseSequence& sequence);
 
+/// Each level as static geometry: triangles in meshoptimizer's order and along Hilbert's curve, and one strip
+/// for each material (joinStrips()), after SGI and of the dual graph.
+std::vector<Contestant> stripContestantsOf(const osgPMObjects::core::Mesh& mesh,
+                                           const osgPMObjects::core::CollapseSequence& sequence);
+
 /// Those that can follow a moving level: plain VIPM, tswap with several numbers of orderings between all
 /// faces and none, ours.
 std::vector<Contestant> movingContestantsOf(const osgPMObjects::core::Mesh& mesh,

@@ -22,8 +22,8 @@ using Json = Race::Json;
 namespace
 {
 
-/// Returns the means over all levels, by contestant: time, invocations, and frame rate as a multiple of plain
-/// VIPM's.
+/// Returns the means over all levels, by contestant: time, invocations, and frame rate as a multiple of
+/// the first one's (plain VIPM's).
 Json summaryOf(const Json& rows, const std::vector<Contestant>& contestants)
 {
     Json summary;
@@ -34,7 +34,8 @@ Json summaryOf(const Json& rows, const std::vector<Contestant>& contestants)
         {
             ms += row[contestant.name]["ms"].get<double>();
             invocations += row[contestant.name]["invocations"].get<double>();
-            rate += row["plain"]["ms"].get<double>() / row[contestant.name]["ms"].get<double>();
+            rate +=
+                row[contestants.front().name]["ms"].get<double>() / row[contestant.name]["ms"].get<double>();
         }
         const auto count = static_cast<double>(rows.size());
         summary[contestant.name] = {{"meanMs", ms / count},
@@ -42,6 +43,13 @@ Json summaryOf(const Json& rows, const std::vector<Contestant>& contestants)
                                     {"meanRateOfPlain", rate / count}};
     }
     return summary;
+}
+
+std::vector<Contestant> contestantsFor(const Request& request, const core::Mesh& mesh,
+                                       const core::CollapseSequence& sequence)
+{
+    if (request.asStrips) return stripContestantsOf(mesh, sequence);
+    return request.movingPercent > 0.0 ? movingContestantsOf(mesh, sequence) : contestantsOf(mesh, sequence);
 }
 
 } // namespace
@@ -61,8 +69,7 @@ foundation::Result<Json> measureModel(const std::string& file, const Request& re
     std::vector<std::uint32_t> levels;
     for (int i = 0; i < request.levels; ++i)
         levels.push_back(most / static_cast<std::uint32_t>(request.levels) * static_cast<std::uint32_t>(i));
-    std::vector<Contestant> contestants =
-        request.movingPercent > 0.0 ? movingContestantsOf(mesh, sequence) : contestantsOf(mesh, sequence);
+    std::vector<Contestant> contestants = contestantsFor(request, mesh, sequence);
     const osg::BoundingSphere ball = contestants.front().nodeAt(0)->getBound();
     Json model = {{"model", std::filesystem::path(file).filename().string()},
                   {"triangles", mesh.faces.size()},

@@ -6,6 +6,7 @@
 
 #include "Finish.h"
 #include "VertexLights.h"
+#include "measurement/Percentile.h"
 
 namespace objectbench
 {
@@ -58,7 +59,10 @@ Race::Json Race::run(const std::vector<Contestant>& contestants, const std::vect
             }
         Json row = {{"steps", steps}};
         for (std::size_t i = 0; i < contestants.size(); ++i)
-            row[contestants[i].name] = {{"ms", shownMs(times[i])}, {"invocations", invocations[i]}};
+            row[contestants[i].name] = {{"ms", shownMs(times[i])},
+                                        {"medianMs", measurement::percentile(times[i], 0.5)},
+                                        {"p99Ms", measurement::percentile(times[i], 0.99)},
+                                        {"invocations", invocations[i]}};
         rows.push_back(std::move(row));
     }
     return rows;

@@ -18,9 +18,9 @@ public:
 
     Race(osgOffscreen::OffscreenViewer& viewer, const Request& request);
 
-    /// Returns a row for each level with `ms` and `invocations` of each contestant, with the given number of
-    /// lights around the model. Where the request's levels move, they do so before each frame, which plays
-    /// the steps; the median counts.
+    /// Returns a row for each level with `ms`, `medianMs`, `p99Ms` and `invocations` of each contestant, with
+    /// the given number of lights around the model. Where the request's levels move, they do so before each
+    /// frame, which plays the steps; the median counts.
     Json run(const std::vector<Contestant>& contestants, const std::vector<std::uint32_t>& levels,
              std::uint32_t mostSteps, int lights, const osg::BoundingSphere& ball);
 

@@ -18,7 +18,9 @@ struct Request
     int levels = 10, repeats = 15;
     double movingPercent = 0.0; ///< of the steps, by which a level changes from frame to frame; 0: it rests
     osgOffscreen::OffscreenSettings picture{.widthPx = 640, .heightPx = 480};
-    std::filesystem::path jsonFile, plotFile;
+    /// static levels as triangles and as strips, instead of orders of progressive meshes
+    bool asStrips = false;
+    std::filesystem::path jsonFile, plotFile, markdownFile;
 };
 
 } // namespace objectbench

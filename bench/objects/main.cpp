@@ -4,6 +4,7 @@
 
 #include "MeasureModel.h"
 #include "RatePlot.h"
+#include "StripTable.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 
@@ -20,7 +21,9 @@ int run(const Request& request)
     if (!viewer) return terminal::fail("object_frame_bench", viewer.error());
     Race race(**viewer, request);
     std::vector<std::string> plots;
-    Race::Json report = {{"widthPx", request.picture.widthPx}, {"heightPx", request.picture.heightPx}};
+    Race::Json report = {{"backend", std::string(osgOffscreen::backendName(request.picture.backend))},
+                         {"widthPx", request.picture.widthPx},
+                         {"heightPx", request.picture.heightPx}};
     for (const std::string& file : request.files)
     {
         auto model = measureModel(file, request, race, plots);
@@ -31,6 +34,11 @@ int run(const Request& request)
     {
         const auto drawn = foundation::writeWholeFile(request.plotFile, plotsFile(plots));
         if (!drawn) return terminal::fail("object_frame_bench", drawn.error());
+    }
+    if (!request.markdownFile.empty())
+    {
+        const auto told = foundation::writeWholeFile(request.markdownFile, stripTable(report));
+        if (!told) return terminal::fail("object_frame_bench", told.error());
     }
     if (request.jsonFile.empty()) return terminal::kDone;
     const auto written = foundation::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
@@ -54,10 +62,23 @@ int main(int argc, char** argv)
                    "per cent of all steps by which the level changes from frame to frame, to and fro (0); "
                    "more numbers of tswaps run")
         ->check(CLI::Range(0.0, 50.0));
+    CLI::Option* strips =
+        app.add_flag(
+               "--strips", request.asStrips,
+               "instead: static triangles, in meshoptimizer's order and along Hilbert's curve, and strips")
+            ->excludes("--moving");
+    app.add_option("--markdown", request.markdownFile,
+                   "with --strips: also write the finest levels to this file, as a table")
+        ->needs(strips);
+    std::string backend{osgOffscreen::backendName(request.picture.backend)};
+    app.add_option("--backend", backend, "osmesa or egl");
     app.add_option("--width", request.picture.widthPx)->check(CLI::Range(16, 4096));
     app.add_option("--height", request.picture.heightPx)->check(CLI::Range(16, 4096));
     app.add_option("--plot", request.plotFile, "SVG with frames per second against faces")->type_name("FILE");
     app.add_option("--json", request.jsonFile, "also write the table to this file");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
+    const auto parsed = osgOffscreen::parseBackend(backend);
+    if (!parsed) return terminal::fail("object_frame_bench", parsed.error());
+    request.picture.backend = *parsed;
     return run(request);
 }
