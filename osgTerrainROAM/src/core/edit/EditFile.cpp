@@ -49,6 +49,7 @@ struct ReadContent
     Header header;
     std::vector<PointState> points;
     ValueTaker chunks{{}}; ///< where they begin
+    bool areChunksSound = true;
     std::vector<RegionBounds::Sphere> spheres;
 };
 
@@ -72,17 +73,37 @@ bool takeChunk(ValueTaker& taker, ChunkState& chunk)
     return true;
 }
 
-/// Takes chunks until `use` returns false. False: it did, or there are too few bytes.
+/// Calls `use` with each chunk. False: there are too few bytes.
 template<class Use>
-bool takeChunks(ValueTaker& taker, std::uint64_t count, const Use& use)
+bool forEachChunk(ValueTaker& taker, std::uint64_t count, const Use& use)
 {
     for (std::uint64_t i = 0; i < count; ++i)
-        if (ChunkState chunk; !takeChunk(taker, chunk) || !use(chunk)) return false;
+    {
+        ChunkState chunk;
+        if (!takeChunk(taker, chunk)) return false;
+        use(chunk);
+    }
     return true;
 }
 
+// Whether values are such as edits leave.
+bool isBound(const SampleTable::Sample& sample)
+{
+    return sample.errorM >= 0.0f && sample.radiusM >= 0.0f;
+}
+bool isHeight(float heightM)
+{
+    return !(std::abs(heightM) > TileEditor::kHighestM) || heightM == FineSamples::kOnSurface;
+}
+bool isSoundFor(const ChunkState& chunk, const RoamTile& tile)
+{
+    return chunk.isWithin(tile.tile.grid()) &&
+           std::all_of(chunk.samples.begin(), chunk.samples.end(),
+                       [](const auto& sample) { return isBound(sample) && isHeight(sample.heightM); });
+}
+
 /// `bytes`: how many there are; they bound what is reserved.
-bool take(ValueTaker& taker, std::size_t bytes, ReadContent& content)
+bool take(ValueTaker& taker, std::size_t bytes, const RoamTile& tile, ReadContent& content)
 {
     constexpr std::size_t kPointBytes = sizeof(GridPoint) + 1 + 2 * sizeof(SampleTable::Sample);
     if (!taker.take(content.header)) return false;
@@ -90,7 +111,9 @@ bool take(ValueTaker& taker, std::size_t bytes, ReadContent& content)
     for (std::uint64_t i = 0; i < content.header.points; ++i)
         if (!takePoint(taker, content.points.emplace_back())) return false;
     content.chunks = taker;
-    if (!takeChunks(taker, content.header.chunks, [](const ChunkState&) { return true; })) return false;
+    const auto judge = [&](const ChunkState& chunk)
+    { content.areChunksSound = content.areChunksSound && isSoundFor(chunk, tile); };
+    if (!forEachChunk(taker, content.header.chunks, judge)) return false;
     for (std::uint64_t i = 0; i < content.header.spheres; ++i)
         if (!taker.take(content.spheres.emplace_back())) return false;
     return taker.isEmpty();
@@ -128,23 +151,12 @@ std::string bytesOf(const Content& content)
 /// Tells whether values are such as edits leave.
 bool isSoundFor(const ReadContent& content, const RoamTile& tile)
 {
-    const auto isBound = [](const SampleTable::Sample& s) { return s.errorM >= 0.0f && s.radiusM >= 0.0f; };
-    const auto isHeight = [](float heightM)
-    { return !(std::abs(heightM) > TileEditor::kHighestM) || heightM == FineSamples::kOnSurface; };
     const auto isPoint = [&](const PointState& point)
     {
         return isInTree(tile, point.place) && isBound(point.bound) && isBound(point.inSheet) &&
                isHeight(point.bound.heightM) && isHeight(point.inSheet.heightM);
     };
-    const auto isChunk = [&](const ChunkState& chunk)
-    {
-        return chunk.isWithin(tile.tile.grid()) &&
-               std::all_of(chunk.samples.begin(), chunk.samples.end(),
-                           [&](const auto& sample) { return isBound(sample) && isHeight(sample.heightM); });
-    };
-    ValueTaker chunks = content.chunks;
-    return std::all_of(content.points.begin(), content.points.end(), isPoint) &&
-           takeChunks(chunks, content.header.chunks, isChunk) &&
+    return content.areChunksSound && std::all_of(content.points.begin(), content.points.end(), isPoint) &&
            content.spheres.size() == tile.regions.spheres().size();
 }
 
@@ -198,18 +210,14 @@ foundation::Outcome readEdits(RoamTile& tile, std::uint64_t source, const std::f
     if (markOf(bytes) != sum) return refuse("is cut off or damaged");
     ValueTaker taker(bytes.substr(kName.size()));
     ReadContent content;
-    if (!take(taker, bytes.size(), content)) return refuse("is cut off or damaged");
+    if (!take(taker, bytes.size(), tile, content)) return refuse("is cut off or damaged");
     if (content.header.tile != markOfTile(tile))
         return refuse("belongs to other elevation data, or to another spacing");
     if (content.header.source != source) return refuse("was made for other roads");
     if (!isSoundFor(content, tile)) return refuse("holds values that no edit leaves");
     restorePoints(tile, content.points);
-    takeChunks(content.chunks, content.header.chunks,
-               [&](const ChunkState& chunk)
-               {
-                   restoreChunk(tile, chunk);
-                   return true;
-               });
+    forEachChunk(content.chunks, content.header.chunks,
+                 [&](const ChunkState& chunk) { restoreChunk(tile, chunk); });
     tile.regions.setSpheres(content.spheres);
     tile.hidingGround.lowestM = std::min(tile.hidingGround.lowestM, content.header.lowestM);
     tile.addToMark(bytes);
