@@ -57,7 +57,7 @@ void editSamples(benchmark::State& state)
     TileEditor editor(tile);
     testsupport::Random random(1);
     std::vector<double> usPerSample;
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
     {
         const auto changes = square(tile->tile, static_cast<int>(state.range(1)), random);
         const auto start = Clock::now();
@@ -86,7 +86,7 @@ void followSamples(benchmark::State& state)
     mesh.refine(view, {.errorTolerancePx = 2.0});
     testsupport::Random random(1);
     std::vector<double> usPerSample;
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
     {
         const auto changes = square(tile->tile, static_cast<int>(state.range(1)), random);
         if (!editor.apply(changes, TileEditor::Between::follows)) state.SkipWithError("refused");
@@ -109,7 +109,7 @@ void buildRoad(benchmark::State& state)
     const auto tile = tileOf(static_cast<int>(state.range(0)), 6);
     GroundEditor editor(tile);
     std::vector<double> usPerSample;
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
     {
         const auto start = Clock::now();
         const auto done = editor.conform(Ribbon{.points = {{1000, 1000}, {1180, 1240}}});

@@ -31,7 +31,7 @@ void tessellateStar(benchmark::State& state)
 {
     const Polygon star = starFor(state, 1);
     const auto corners = star.inSpace();
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(tessellate(corners, star.contourSizes));
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
@@ -46,7 +46,7 @@ void tessellateHoles(benchmark::State& state)
     for (std::uint32_t i = 0; i < side * side; ++i)
         sheet.add(testsupport::star(random, {i % side + 0.5, i / side + 0.5}, 0.4, 8));
     const auto corners = sheet.inSpace();
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(tessellate(corners, sheet.contourSizes));
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(corners.size()));
 }
@@ -56,7 +56,7 @@ void leastPieces(benchmark::State& state)
 {
     const Polygon star = starFor(state, 3);
     const auto corners = star.inSpace();
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(decomposeConvex(corners, star.contourSizes, ConvexMethod::leastPieces));
 }
 BENCHMARK(leastPieces)->Arg(8)->Arg(32)->Arg(128)->Unit(benchmark::kMicrosecond);
@@ -68,7 +68,7 @@ void order(benchmark::State& state, Order make)
     IndexedMesh mesh = testsupport::sphereMesh(static_cast<std::uint32_t>(state.range(0)),
                                                2 * static_cast<std::uint32_t>(state.range(0)));
     testsupport::shuffle(mesh, random);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(make(mesh));
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(mesh.triangles.size()));
 }

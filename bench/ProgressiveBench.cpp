@@ -55,7 +55,7 @@ void stepDownAndUp(benchmark::State& state)
     const ProgressiveMesh& mesh =
         progressive(static_cast<Subject>(state.range(0)), static_cast<Arrangement>(state.range(1)));
     ProgressiveLevel level(mesh);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
     {
         level.moveTo(mesh.stepCount);
         level.moveTo(0);
@@ -78,7 +78,7 @@ void stepByForm(benchmark::State& state)
         {.arrangement = Arrangement::tswap, .tswapStep = 0.01f * static_cast<float>(state.range(1))});
     const ProgressiveMesh mesh = state.range(2) == 0 ? cycles : testsupport::TableForm(cycles).tables();
     ProgressiveLevel level(mesh);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
     {
         level.moveTo(mesh.stepCount);
         level.moveTo(0);
@@ -97,7 +97,7 @@ void jump(benchmark::State& state)
 {
     const ProgressiveMesh& mesh = progressive(static_cast<Subject>(state.range(0)), Arrangement::windows);
     CompactedLevel level(mesh);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         level.moveTo(
             static_cast<std::uint32_t>(std::uint64_t{mesh.stepCount} * (100 - state.range(1)) / 100));
 }
@@ -110,7 +110,7 @@ void build(benchmark::State& state)
 {
     const auto subject = static_cast<Subject>(state.range(0));
     sequenceOf(subject);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(buildProgressiveMesh(
             meshOf(subject), sequenceOf(subject), {.arrangement = static_cast<Arrangement>(state.range(1))}));
 }

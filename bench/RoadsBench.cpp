@@ -62,21 +62,21 @@ void measure(const char* file, const RoadNetwork& network)
     benchmark::RegisterBenchmark("read",
                                  [file](benchmark::State& state)
                                  {
-                                     for (auto _ : state)
+                                     for ([[maybe_unused]] auto _ : state)
                                          benchmark::DoNotOptimize(readNetwork(file));
                                  })
         ->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark("index",
                                  [&network](benchmark::State& state)
                                  {
-                                     for (auto _ : state)
+                                     for ([[maybe_unused]] auto _ : state)
                                          benchmark::DoNotOptimize(RoadLocator(network));
                                  })
         ->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark("check",
                                  [&network](benchmark::State& state)
                                  {
-                                     for (auto _ : state)
+                                     for ([[maybe_unused]] auto _ : state)
                                          benchmark::DoNotOptimize(checkNetwork(network));
                                  })
         ->Unit(benchmark::kMillisecond);
@@ -86,7 +86,7 @@ void measure(const char* file, const RoadNetwork& network)
                                      [ask](benchmark::State& state)
                                      {
                                          std::size_t i = 0;
-                                         for (auto _ : state)
+                                         for ([[maybe_unused]] auto _ : state)
                                              ask(i++ % kPoints);
                                          state.SetItemsProcessed(state.iterations());
                                      });
@@ -114,7 +114,7 @@ void measureSurface(const std::shared_ptr<const RoadNetwork>& network)
     benchmark::RegisterBenchmark("mesh",
                                  [](benchmark::State& state)
                                  {
-                                     for (auto _ : state)
+                                     for ([[maybe_unused]] auto _ : state)
                                      {
                                          const RoadMesh mesh =
                                              buildRoadMesh(placed, meshSettingsFor(placed.network()));
@@ -134,7 +134,7 @@ void measureSurface(const std::shared_ptr<const RoadNetwork>& network)
             const Course course = courseOf(*network);
             const glm::dmat4 projection = glm::perspective(0.7, 1.6, 0.5, 5000.0);
             std::size_t i = 0, chosen = 0;
-            for (auto _ : state)
+            for ([[maybe_unused]] auto _ : state)
             {
                 const glm::dvec3 eye = course.points[i++ % kPoints] + glm::dvec3(0.0, 0.0, 1.5);
                 const glm::dmat4 look =

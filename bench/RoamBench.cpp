@@ -75,7 +75,7 @@ void fly(benchmark::State& state, const Frame& adapt)
 {
     std::vector<double> frameUs;
     double triangles = 0;
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
     {
         for (int frame = 0; frame < BenchmarkFlight::kFrames; ++frame)
         {
@@ -232,7 +232,7 @@ void mergeSubtree(benchmark::State& state, const Merge& merge)
         top = tree.children(top)[static_cast<std::size_t>(level % 2)];
     }
     double removed = 0;
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
     {
         state.PauseTiming();
         measurement::splitFully(tree, {top});

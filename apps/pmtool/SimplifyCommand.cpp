@@ -158,6 +158,58 @@ foundation::Result<terminal::Report> simplifyModels(SimplifyRequest request)
                         [&](const std::string& file) { return simplifyFile(request, names, file); });
 }
 
+/// The options that say which levels are made, and what counts as their distance.
+void addLevels(CLI::App& command, SimplifyRequest& request)
+{
+    command.add_option("--targets", request.targetsPercent, "triangles to keep, per cent (25,5,1)")
+        ->delimiter(',')
+        ->check(terminal::between(0.001, 100.0));
+    command
+        .add_option("--tolerances", request.tolerances,
+                    "levels by their largest measured distance from the original, in units of the model")
+        ->delimiter(',')
+        ->check(terminal::between(0.0, 1e9));
+    command
+        .add_option("--specks", request.speckSize,
+                    "parts up to this size may vanish and do not count as distance, in units of the model "
+                    "(0: all count)")
+        ->check(terminal::between(0.0, 1e9));
+    command
+        .add_option("--farther", request.farther,
+                    "levels for a distance of so many times the one at which all triangles are drawn")
+        ->delimiter(',')
+        ->check(terminal::between(1.0, 1e6));
+}
+
+/// The options that say how edges collapse.
+void addCollapses(CLI::App& command, SimplifyRequest& request)
+{
+    const std::map<std::string, core::Placement> placements = {{"subset", core::Placement::subset},
+                                                               {"optimal", core::Placement::optimal},
+                                                               {"quality", core::Placement::quality}};
+    command
+        .add_option("--placement", request.settings.placement,
+                    "positions of vertices: subset, optimal (default), quality")
+        ->transform(terminal::named(placements));
+    addQuadrics(command, request.settings.quadrics);
+    command
+        .add_option("--envelope", request.envelopePercent,
+                    "largest distance from the original, per cent of the diagonal (0: no limit)")
+        ->check(terminal::between(0.0, 100.0));
+    command
+        .add_option("--join", request.joinPercent,
+                    "parts this near to one another may join, per cent of the diagonal (0: none)")
+        ->check(terminal::between(0.0, 100.0));
+    command
+        .add_flag("--join-within", request.settings.joinWithinParts,
+                  "with --join: so may positions of one part that are on two sides of a gap")
+        ->needs("--join");
+    command.add_flag("!--shape-only", request.settings.keepSeams, "let textures, normals and materials go");
+    command.add_flag("!--lopsided", request.settings.keepSymmetry, "do not keep symmetric models symmetric");
+    command.add_flag("!--thin-leaves", request.settings.growLeaves,
+                     "let leaf cards vanish without others growing");
+}
+
 /// Refuses options that a method would ignore.
 void refuseOptions(const CLI::App& command, const SimplifyRequest& request)
 {
@@ -180,9 +232,6 @@ void refuseOptions(const CLI::App& command, const SimplifyRequest& request)
 
 void addSimplify(CLI::App& app, Chosen& chosen)
 {
-    const std::map<std::string, core::Placement> placements = {{"subset", core::Placement::subset},
-                                                               {"optimal", core::Placement::optimal},
-                                                               {"quality", core::Placement::quality}};
     const auto request = std::make_shared<SimplifyRequest>();
     request->settings.placement = core::Placement::optimal;
     CLI::App* command = app.add_subcommand("simplify", "make levels of each model with fewer triangles");
@@ -192,47 +241,9 @@ void addSimplify(CLI::App& app, Chosen& chosen)
                      "edges: collapses by error (default); clusters: one vertex for each cube of a grid; "
                      "images: the last collapses chosen by images; removal: vertices one by one")
         ->transform(terminal::named(kMethods));
-    command->add_option("--targets", request->targetsPercent, "triangles to keep, per cent (25,5,1)")
-        ->delimiter(',')
-        ->check(terminal::between(0.001, 100.0));
-    command
-        ->add_option("--tolerances", request->tolerances,
-                     "levels by their largest measured distance from the original, in units of the model")
-        ->delimiter(',')
-        ->check(terminal::between(0.0, 1e9));
-    command
-        ->add_option("--specks", request->speckSize,
-                     "parts up to this size may vanish and do not count as distance, in units of the model "
-                     "(0: all count)")
-        ->check(terminal::between(0.0, 1e9));
-    command
-        ->add_option("--farther", request->farther,
-                     "levels for a distance of so many times the one at which all triangles are drawn")
-        ->delimiter(',')
-        ->check(terminal::between(1.0, 1e6));
+    addLevels(*command, *request);
     addRemovalOptions(*command, request->removal);
-    command
-        ->add_option("--placement", request->settings.placement,
-                     "positions of vertices: subset, optimal (default), quality")
-        ->transform(terminal::named(placements));
-    addQuadrics(*command, request->settings.quadrics);
-    command
-        ->add_option("--envelope", request->envelopePercent,
-                     "largest distance from the original, per cent of the diagonal (0: no limit)")
-        ->check(terminal::between(0.0, 100.0));
-    command
-        ->add_option("--join", request->joinPercent,
-                     "parts this near to one another may join, per cent of the diagonal (0: none)")
-        ->check(terminal::between(0.0, 100.0));
-    command
-        ->add_flag("--join-within", request->settings.joinWithinParts,
-                   "with --join: so may positions of one part that are on two sides of a gap")
-        ->needs("--join");
-    command->add_flag("!--shape-only", request->settings.keepSeams, "let textures, normals and materials go");
-    command->add_flag("!--lopsided", request->settings.keepSymmetry,
-                      "do not keep symmetric models symmetric");
-    command->add_flag("!--thin-leaves", request->settings.growLeaves,
-                      "let leaf cards vanish without others growing");
+    addCollapses(*command, *request);
     command->add_option("--output", request->outputFolder, "folder for the levels, NAME.LEVEL.FORMAT");
     command->add_option("--format", request->format, "format of the levels (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));

@@ -2,6 +2,7 @@
 #include "pmtool/TextureFile.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <osg/Image>
 
@@ -34,8 +35,8 @@ foundation::Outcome writeTexels(const Texels& texels, const std::filesystem::pat
                          GL_UNSIGNED_BYTE);
     for (std::size_t i = 0; i < texels.colours.size(); ++i)
         for (int c = 0; c < 4; ++c)
-            image->data()[4 * i + static_cast<std::size_t>(c)] =
-                static_cast<unsigned char>(255.0f * std::clamp(texels.colours[i][c], 0.0f, 1.0f) + 0.5f);
+            image->data()[4 * i + static_cast<std::size_t>(c)] = static_cast<unsigned char>(
+                std::lround(255.0f * std::clamp(texels.colours[i][c], 0.0f, 1.0f)));
     return osgOffscreen::writePng(*image, file);
 }
 

@@ -160,6 +160,54 @@ void tellOfMap(const WholeMap& map, const std::string& name, nlohmann::ordered_j
     tell(tags.approximated, "tags of streets that are approximated: ");
 }
 
+/// What a made-up map has beside its land and streets.
+struct MadeUpLand
+{
+    std::vector<worldmaking::Runway> runways;
+    std::vector<worldmaking::MadeUpPlace> places;
+    std::optional<WorldClimate> climate; ///< absent: that of the place
+    bool hasSea = false;
+    nlohmann::ordered_json report;
+};
+
+/// Makes up a map on the ground; its land and streets go into @p map.
+/// Errors: those of makeUpMap().
+foundation::Result<MadeUpLand> makeUp(const Request& request, const EarthGround& ground, WholeMap& map)
+{
+    const auto settings = settingsOf(request, ground.bounds);
+    auto made = worldmaking::makeUpMap(ground.heightM, settings);
+    if (!made) return made.error();
+    map.land = std::move(made->land);
+    map.streets = worldmaking::streetsOf(map.land);
+    return MadeUpLand{std::move(made->runways), std::move(made->places),
+                      WorldClimate{settings.aridity, made->treeLineM}, made->hasSea, rowOf(made->report)};
+}
+
+nlohmann::ordered_json rowsOf(const std::vector<worldmaking::MadeUpPlace>& places)
+{
+    auto rows = nlohmann::ordered_json::array();
+    for (const worldmaking::MadeUpPlace& place : places)
+        rows.push_back(
+            {{"kind", place.kind}, {"longitudeDeg", place.degrees.x}, {"latitudeDeg", place.degrees.y}});
+    return rows;
+}
+
+/// The report of a world that is made of the same inputs already. Its files become new, as those who make
+/// worlds by rules expect.
+Report keptReport(const Request& request)
+{
+    std::error_code ignored;
+    for (const char* name : {"world.roam", "drive.xosc", "circuit.xosc"})
+        if (const auto file = request.world / name; std::filesystem::exists(file, ignored))
+            std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), ignored);
+    Report made;
+    std::ifstream stream(request.world / "report.json");
+    made.json = nlohmann::ordered_json::parse(stream, nullptr, false);
+    std::cerr << "worldtool: " << request.world.string() << " is made of these inputs already\n";
+    tell(made.json, request);
+    return made;
+}
+
 /// Level ground is no lake where the map tells what water there is: villages stood in water on a delta whose
 /// heights are whole metres.
 const char* waterOf(const worldmaking::LandMap& land, bool isMadeUp, bool hasSea)
@@ -205,19 +253,7 @@ foundation::Result<Report> build(const Request& request)
                                  "name a folder that can be written"};
     auto state = BuildState::open(request);
     if (!state) return state.error();
-    if (state->isWhole())
-    {
-        // Those who make worlds by rules see that it is new.
-        for (const char* name : {"world.roam", "drive.xosc", "circuit.xosc"})
-            if (const auto file = request.world / name; std::filesystem::exists(file, failed))
-                std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), failed);
-        Report made;
-        std::ifstream stream(request.world / "report.json");
-        made.json = nlohmann::ordered_json::parse(stream, nullptr, false);
-        std::cerr << "worldtool: " << request.world.string() << " is made of these inputs already\n";
-        tell(made.json, request);
-        return made;
-    }
+    if (state->isWhole()) return keptReport(request);
     terminal::Progress progress("worldtool", 100);
     progress.begin(kGround.name, kGround.share);
     const auto ground = loadGround(request.dems);
@@ -233,38 +269,20 @@ foundation::Result<Report> build(const Request& request)
     if (!isMadeUp && map->streets.ways.empty() && !map->isOn(*ground))
         return foundation::Error{mapNameOf(request), "nothing in it lies on the elevation data",
                                  "give a map and elevation data of the same region"};
-    std::vector<worldmaking::Runway> runways;
-    bool hasSea = false;
-    std::optional<WorldClimate> climate;
-    std::vector<worldmaking::MadeUpPlace> madePlaces;
-    nlohmann::ordered_json madeUp, places = nlohmann::ordered_json::array();
-    if (isMadeUp)
-    {
-        const auto settings = settingsOf(request, ground->bounds);
-        auto made = worldmaking::makeUpMap(ground->heightM, settings);
-        if (!made) return made.error();
-        climate = WorldClimate{settings.aridity, made->treeLineM};
-        map->land = std::move(made->land);
-        map->streets = worldmaking::streetsOf(map->land);
-        runways = std::move(made->runways);
-        madeUp = rowOf(made->report);
-        hasSea = made->hasSea;
-        madePlaces = made->places;
-        for (const worldmaking::MadeUpPlace& place : made->places)
-            places.push_back(
-                {{"kind", place.kind}, {"longitudeDeg", place.degrees.x}, {"latitudeDeg", place.degrees.y}});
-    }
+    auto made = isMadeUp ? makeUp(request, *ground, *map) : foundation::Result<MadeUpLand>(MadeUpLand());
+    if (!made) return made.error();
+    std::vector<worldmaking::Runway>& runways = made->runways;
     const worldmaking::RunwayTable& table = listed->runways;
     runways.insert(runways.end(), table.runways.begin(), table.runways.end());
     map->land.notes.insert(map->land.notes.end(), table.notes.begin(), table.notes.end());
-    WorldMaker maker({request, map->streets, map->land, *bounds, runways, table.unusable, hasSea,
-                      waterOf(map->land, isMadeUp, hasSea), madePlaces, ground->placeInScene, climate,
-                      *std::move(cover)},
+    WorldMaker maker({request, map->streets, map->land, *bounds, runways, table.unusable, made->hasSea,
+                      waterOf(map->land, isMadeUp, made->hasSea), made->places, ground->placeInScene,
+                      made->climate, *std::move(cover)},
                      ground->heightM, std::move(*state), progress);
     if (!isMadeUp) tellOfMap(*map, mapNameOf(request), maker.report.json);
-    if (isMadeUp) maker.report.json["madeUp"] = madeUp;
-    if (isMadeUp) maker.report.json["places"] = places;
-    if (const auto made = maker.make(); !made) return made.error();
+    if (isMadeUp) maker.report.json["madeUp"] = made->report;
+    if (isMadeUp) maker.report.json["places"] = rowsOf(made->places);
+    if (const auto done = maker.make(); !done) return done.error();
     tell(maker.report.json, request);
     return maker.report;
 }

@@ -112,8 +112,9 @@ std::vector<Subject> subjects()
         {
             simulation::EntityState state;
             state.steeringDeg = 25.0;
-            const std::string base = kKinds[static_cast<std::size_t>(kind)].first;
-            all.push_back({base + "-" + name, kind, state, lit, name == "head" ? 30.0 : 155.0});
+            std::string label = kKinds[static_cast<std::size_t>(kind)].first;
+            label.append("-").append(name);
+            all.push_back({label, kind, state, lit, name == "head" ? 30.0 : 155.0});
         }
     return all;
 }

@@ -86,10 +86,10 @@ public:
     }
 
     /// Takes a road by chance wherever several follow, from now on.
-    void turnAtRandom(RandomDraw draw)
+    void turnAtRandom(const RandomDraw& draw)
     {
         _way.clear();
-        _turns = std::move(draw);
+        _turns = draw;
     }
 
     void setAnimation(const std::string& part, double state) { _state.animations[part] = state; }

@@ -20,13 +20,13 @@ class ScenarioPlayer::Stage
 public:
     Stage(Scenario scenarioIn, PlayerOptions options)
         : scenario(std::move(scenarioIn)),
-          _traffic(scenario, options.seed),
+          traffic(scenario, options.seed),
           frame(options.origin, std::move(options.ground), std::move(options.projection)),
           clock(options.clock),
           _roads(std::move(options.roads)),
           _roadsUnder(_roads ? _roads : std::move(options.roadsUnder)),
           _environmentClock(options.origin, options.air),
-          _performer({scenario, frame, _roads.get(), clock, _environmentClock, _traffic, options.seed,
+          _performer({scenario, frame, _roads.get(), clock, _environmentClock, traffic, options.seed,
                       std::move(options.motionSource)}),
           _runner(scenario.storyboard, _performer)
     {
@@ -68,7 +68,7 @@ public:
 
     std::vector<foundation::Error> warnings;
     Scenario scenario;
-    TrafficPlan _traffic; ///< adds entities to the scenario, before anything counts them
+    TrafficPlan traffic; ///< adds entities to the scenario, before anything counts them
     SceneFrame frame;
     FixedClock clock;
     foundation::Outcome begun = foundation::success(); ///< of the attached motions

@@ -51,7 +51,7 @@ Message receive()
 std::string answerOf(const foundation::Outcome& outcome)
 {
     if (outcome) return {};
-    const foundation::Error error = outcome.error();
+    const foundation::Error& error = outcome.error();
     return error.place + '\n' + error.what + '\n' + error.remedy;
 }
 

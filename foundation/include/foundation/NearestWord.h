@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace foundation
@@ -64,14 +63,14 @@ std::optional<std::string_view> nearestWord(std::string_view misspelt, const Ran
 /// The remedy for an unknown name: "did you mean X?", where a word of the range is like it, else `otherwise`.
 template<class Range>
 requires(!std::convertible_to<const Range&, std::string_view>) std::string
-    didYouMean(std::string_view misspelt, const Range& words, std::string otherwise)
+    didYouMean(std::string_view misspelt, const Range& words, const std::string& otherwise)
 {
     const auto like = nearestWord(misspelt, words, [](const auto& word) { return std::string_view(word); });
-    return like ? "did you mean " + std::string(*like) + "?" : std::move(otherwise);
+    return like ? "did you mean " + std::string(*like) + "?" : otherwise;
 }
 
 /// The same among words that blanks part.
-inline std::string didYouMean(std::string_view misspelt, std::string_view words, std::string otherwise)
+inline std::string didYouMean(std::string_view misspelt, std::string_view words, const std::string& otherwise)
 {
     std::vector<std::string_view> list;
     for (std::size_t begin = 0; begin < words.size();)
@@ -80,7 +79,7 @@ inline std::string didYouMean(std::string_view misspelt, std::string_view words,
         if (end > begin) list.push_back(words.substr(begin, end - begin));
         begin = end + 1;
     }
-    return didYouMean(misspelt, list, std::move(otherwise));
+    return didYouMean(misspelt, list, otherwise);
 }
 
 } // namespace foundation

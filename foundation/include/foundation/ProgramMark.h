@@ -36,6 +36,7 @@ private:
         for (std::size_t i = 0; i < object->dlpi_phnum; ++i)
             if (const auto& part = object->dlpi_phdr[i]; part.p_type == PT_NOTE)
                 found.addNotes(
+                    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader tells addresses as integers
                     {reinterpret_cast<const char*>(object->dlpi_addr + part.p_vaddr), part.p_memsz},
                     part.p_align == 8 ? 8 : 4, name.empty());
         return 0;
@@ -50,7 +51,7 @@ private:
             std::memcpy(&head, notes.data(), sizeof head);
             const std::size_t bytesAt = padded(sizeof head + head.n_namesz), end = bytesAt + head.n_descsz;
             if (end > notes.size()) return;
-            const bool isGnu = notes.substr(sizeof head, head.n_namesz) == std::string_view("GNU", 4);
+            const bool isGnu = notes.substr(sizeof head, head.n_namesz) == std::string_view("GNU\0", 4);
             if (isGnu && head.n_type == NT_GNU_BUILD_ID)
             {
                 _mark.add(notes.substr(bytesAt, head.n_descsz));

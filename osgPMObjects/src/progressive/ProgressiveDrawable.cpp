@@ -62,7 +62,7 @@ ProgressiveDrawable::ProgressiveDrawable(const ProgressiveDrawable& other, const
 
 ProgressiveDrawable::~ProgressiveDrawable() = default;
 
-void ProgressiveDrawable::setShape(osg::ref_ptr<const ProgressiveShape> shape)
+void ProgressiveDrawable::setProgressiveShape(osg::ref_ptr<const ProgressiveShape> shape)
 {
     _shape = shape;
     _views = std::make_unique<ViewLevelTable>(_shape);

@@ -20,7 +20,7 @@ struct DrawableSerializer
     static bool readShape(osgDB::InputStream& in, ProgressiveDrawable& drawable)
     {
         const osg::ref_ptr<ProgressiveShape> shape = osgPMObjects::readShape(in, "ProgressiveDrawable");
-        if (shape) drawable.setShape(shape);
+        if (shape) drawable.setProgressiveShape(shape);
         return shape != nullptr;
     }
 

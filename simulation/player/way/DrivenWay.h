@@ -47,9 +47,7 @@ public:
 
     /// `draw`: which roads it takes; nothing: those of the entity's own way, else the straightest. `table`
     /// must outlive it.
-    DrivenWay(JunctionTable& table, std::optional<RandomDraw> draw) : _table(&table), _draw(std::move(draw))
-    {
-    }
+    DrivenWay(JunctionTable& table, const std::optional<RandomDraw>& draw) : _table(&table), _draw(draw) {}
 
     /// Goes on to where an entity is on its lane, and looks farther ahead. False: it is on no road.
     bool follow(EntityMotion& motion);
