@@ -9,6 +9,7 @@
 
 #include <osgPMObjects/core/tessellate/Tessellation.h>
 
+#include "scenery/buildings/ControlTower.h"
 #include "scenery/buildings/Outline.h"
 #include "scenery/buildings/RoofPlanes.h"
 #include "scenery/models/houses/DetailAtlas.h"
@@ -397,6 +398,12 @@ private:
     double _eavesM;
 };
 
+std::vector<StandingBuilding> partsOf(const StandingBuilding& standing)
+{
+    return standing.building.openings == Openings::control ? partsOfControlTower(standing)
+                                                           : std::vector{standing};
+}
+
 } // namespace
 
 void Facets::addPolygon(const std::vector<glm::vec3>& corners, const std::vector<glm::vec2>& uv,
@@ -422,12 +429,14 @@ void Facets::addPolygon(const std::vector<glm::vec3>& corners, const std::vector
 
 void addShell(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets)
 {
-    Maker(standing, origin, facets).makeShell();
+    for (const StandingBuilding& part : partsOf(standing))
+        Maker(part, origin, facets).makeShell();
 }
 
 void addOpenings(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets)
 {
-    Maker(standing, origin, facets).makeOpenings();
+    for (const StandingBuilding& part : partsOf(standing))
+        Maker(part, origin, facets).makeOpenings();
 }
 
 } // namespace scenery

@@ -259,12 +259,13 @@ std::optional<Building> towerOf(const glm::dvec2& place, const BuildingTags& tag
         std::string_view kind;
         double halfM, heightM;
     };
-    constexpr std::array<Tower, 7> kTowers{{{"tower", 2.0, 22.0},
+    constexpr std::array<Tower, 8> kTowers{{{"tower", 2.0, 22.0},
                                             {"mast", 0.35, 30.0},
                                             {"communications_tower", 3.0, 60.0},
                                             {"water_tower", 4.5, 26.0},
                                             {"chimney", 1.6, 35.0},
                                             {"silo", 3.0, 14.0},
+                                            {"storage_tank", 4.0, 7.0},
                                             {"lighthouse", 3.0, 25.0}}};
     const std::string_view kind = valueOf(tags, "man_made");
     const auto tower =
@@ -284,6 +285,7 @@ std::optional<Building> towerOf(const glm::dvec2& place, const BuildingTags& tag
     building.eavesM = heightM - building.roofM;
     building.wall = kind == "chimney" || kind == "tower" ? Painting::bricks : Painting::sheetMetal;
     building.cover = Painting::roofMetal;
+    building.roofTint = glm::vec3(0.62F);
     building.wallTint = glm::vec3(static_cast<float>(Dice(id).between(0.75, 0.95)));
     building.openings = Openings::none;
     return building;

@@ -127,8 +127,9 @@ MadeShapes Airfield::shapes() const
     shapes.push_back(
         areaShape(rectangleOf(at(0.325, 171.0), way, 16.0, 14.0),
                   {{"building", "fire_station"}, {"building:levels", "2"}, {"roof:shape", "flat"}}));
-    for (const double aheadM : {-4.0, 4.0}) // fuel
-        shapes.push_back(pointShape(at(0.50, 166.0) + aheadM * way, {{"man_made", "silo"}, {"height", "6"}}));
+    for (const double aheadM : {-5.5, 5.5}) // fuel
+        shapes.push_back(
+            pointShape(at(0.50, 166.0) + aheadM * way, {{"man_made", "storage_tank"}, {"height", "5"}}));
     for (const double share : {0.335, 0.39, 0.445}) // floods, behind the apron's edge
         shapes.push_back(pointShape(at(share, 163.0), {{"man_made", "mast"}, {"height", "14"}}));
     PlanRings around = ground();

@@ -213,14 +213,47 @@ TEST(BuildingFacets, AHangarHasAGateInEachGableAndAControlTowerGlassAllAround)
     ASSERT_EQ(gates.positions.size(), 8u);
     for (const glm::vec3& corner : gates.positions) // the ridge runs along the longer side
         EXPECT_NEAR(std::abs(corner.x - 15.0F), 15.04F, 1e-3F);
-    StandingBuilding tower = house(kSquare, RoofForm::flat);
+    // Too wide to be a shaft with a cab: one part.
+    StandingBuilding tower = house({{{0, 0}, {30, 0}, {30, 20}, {0, 20}}}, RoofForm::flat);
     tower.building.storeys = 4;
     tower.building.openings = scenery::Openings::control;
     const double glassFromM = kFloorM + 0.75 * tower.building.eavesM;
     std::size_t panes = 0;
     for (const glm::vec3& corner : facetsOf(tower).openings.positions)
         panes += corner.z + kFootM > glassFromM;
-    EXPECT_EQ(panes, 4u * 6u * 4u) << "six panes on each side";
+    EXPECT_EQ(panes, 2u * (17u + 11u) * 4u) << "a pane for each 1.8 m";
+}
+
+TEST(BuildingFacets, ASlenderControlTowerHasACabThatIsWiderThanItsShaft)
+{
+    StandingBuilding tower = house({{{0, 0}, {7, 0}, {7, 7}, {0, 7}}}, RoofForm::flat);
+    tower.building.eavesM = 17.0;
+    tower.building.storeys = 5;
+    tower.building.openings = scenery::Openings::control;
+    const BuildingFacets facets = facetsOf(tower);
+    const double cabM = kFloorM - kFootM + 0.8 * tower.building.eavesM;
+    double shaftM = 0.0, aboveM = 0.0, topM = 0.0;
+    for (const auto& [painting, shell] : facets.shell)
+        for (const glm::vec3& corner : shell.positions)
+        {
+            const double awayM = std::max(std::abs(corner.x - 3.5), std::abs(corner.y - 3.5));
+            (corner.z < cabM - 0.5 ? shaftM : aboveM) =
+                std::max(corner.z < cabM - 0.5 ? shaftM : aboveM, awayM);
+            topM = std::max<double>(topM, corner.z);
+        }
+    EXPECT_LT(shaftM, 2.7);
+    EXPECT_GT(aboveM, 4.3) << "the gallery";
+    EXPECT_NEAR(topM, kFloorM - kFootM + 17.35, 0.01);
+    std::size_t glass = 0;
+    bool isFlat = true; // each pane stands upright on the octagon
+    for (const glm::vec3& corner : facets.openings.positions)
+        if (corner.z > cabM)
+        {
+            ++glass;
+            isFlat = isFlat && std::max(std::abs(corner.x - 3.5), std::abs(corner.y - 3.5)) < 3.6;
+        }
+    EXPECT_EQ(glass, 8u * 2u * 4u) << "two panes on each of eight sides";
+    EXPECT_TRUE(isFlat);
 }
 
 TEST(RoofPlanes, OfARoundRoofTouchAnArc)
