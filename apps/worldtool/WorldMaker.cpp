@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "worldtool/WorldMaker.h"
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <sstream>
@@ -23,6 +24,7 @@
 #include "worldmaking/land/HouseFile.h"
 #include "worldmaking/land/LandUse.h"
 #include "worldmaking/land/ModelPoints.h"
+#include "worldmaking/land/ParkedAircraft.h"
 #include "worldmaking/land/Structures.h"
 #include "worldmaking/land/Trees.h"
 #include "worldmaking/land/UntaggedLand.h"
@@ -355,10 +357,14 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
         return written;
     _hasStructures = standing.written > 0;
     report.json["structures"] = rowOf(standing);
-    const auto models = worldmaking::writeModels(_source.land, plane, room, height, file("objects.gpkg"));
+    std::vector<worldmaking::LandShape> points = worldmaking::parkedAircraft(_source.land, plane);
+    const std::size_t aircraft = points.size();
+    const std::vector<worldmaking::LandShape>& shapes = _source.land.shapes;
+    std::copy_if(shapes.begin(), shapes.end(), std::back_inserter(points), worldmaking::namesModel);
+    const auto models = worldmaking::writeModels(points, plane, room, height, file("objects.gpkg"));
     if (!models) return models.error();
     _hasModels = *models > 0;
-    report.json["models"] = {{"standing", *models}};
+    report.json["models"] = {{"standing", *models}, {"aircraft", aircraft}};
     if (_hasModels)
         if (auto noted = _state.note("objects.gpkg"); !noted) return noted;
     begin(kTrees);

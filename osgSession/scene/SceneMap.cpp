@@ -27,11 +27,14 @@ static_assert(kTreesFadeM >= 1000.0); // an eye over a wood sees trees for a kil
 constexpr std::uint64_t kBudgetTriangles = 400000;
 
 /// Vehicles by the continuous rule T with geomorph: level by level as far as the vertex.
-void drawContinuously(scenery::SceneryField& field)
+void drawContinuously(scenery::SceneryField& field, scenery::models::Kind kind)
 {
+    // Aircraft are seen from farther away, as far as their size says.
+    const bool isAircraft = kind > scenery::models::Kind::bus;
+    const double farther = isAircraft ? scenery::models::factsOf(kind).mostRadiusM / 3.0 : 1.0;
     field.selection.settings.method = osgPMObjects::core::SelectionMethod::continuous;
     field.selection.settings.continuousBand = 1.1;
-    field.selection.settings.alpha = osgPMObjects::core::AlphaRange{1500.0, 2000.0};
+    field.selection.settings.alpha = osgPMObjects::core::AlphaRange{1500.0 * farther, 2000.0 * farther};
     field.switching.method = osgPMObjects::core::SwitchMethod::geomorph;
 }
 
@@ -52,7 +55,7 @@ scenery::SceneryField fieldOf(const scenery::SceneryObject& object, std::size_t 
     field.name = std::to_string(number);
     field.objects = {object};
     if (*object.kind >= scenery::models::Kind::saloon)
-        drawContinuously(field);
+        drawContinuously(field, *object.kind);
     else if (*object.kind >= scenery::models::Kind::familyHouse)
         drawByRanges(field);
     else

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "scenery/models/entities/StandingAircraft.h"
 #include "scenery/models/houses/GableHouse.h"
 #include "scenery/models/houses/Hall.h"
 #include "scenery/models/houses/TownHouses.h"
@@ -38,6 +39,9 @@ std::span<const KindFacts> allFacts()
         factsOfVehicle(Kind::saloon, "saloon"),
         factsOfVehicle(Kind::van, "van"),
         factsOfVehicle(Kind::bus, "bus"),
+        KindFacts{Kind::lightAircraft, "light-aircraft", 2.7, 2.8, 6.0},
+        KindFacts{Kind::airliner, "airliner", 11.7, 11.8, 20.0},
+        KindFacts{Kind::helicopter, "helicopter", 3.1, 3.2, 8.0},
     };
     return kFacts;
 }
@@ -80,6 +84,12 @@ Model generate(Kind kind, std::uint64_t seed)
     case Kind::van:
     case Kind::bus:
         return makeVehicle(builtInLook(factsOf(kind).name), seed);
+    case Kind::lightAircraft:
+        return makeStandingAircraft(EntityKind::lightAircraft, seed);
+    case Kind::airliner:
+        return makeStandingAircraft(EntityKind::airliner, seed);
+    case Kind::helicopter:
+        return makeStandingAircraft(EntityKind::helicopter, seed);
     }
     return {};
 }

@@ -24,6 +24,9 @@ enum class Kind
     saloon,
     van,
     bus,
+    lightAircraft,
+    airliner,
+    helicopter,
 };
 
 /// The limits that hold for every seed of a kind. Units: metres.

@@ -9,6 +9,7 @@
 #include <foundation/SmallLetters.h>
 
 #include "scenery/models/entities/DefaultSize.h"
+#include "scenery/models/entities/StandingAircraft.h"
 
 namespace scenery
 {
@@ -180,14 +181,12 @@ Colour colourOf(const std::string& words, const std::string& name, const EntityS
                                                     {0.93F, 0.93F, 0.92F},
                                                     {0.78F, 0.55F, 0.12F}}};
     static constexpr std::array<Colour, 1> kWood{{{0.58F, 0.44F, 0.28F}}};
-    static constexpr std::array<Colour, 6> kTrims{{{0.10F, 0.22F, 0.50F},
-                                                   {0.70F, 0.10F, 0.09F},
-                                                   {0.12F, 0.36F, 0.24F},
-                                                   {0.84F, 0.42F, 0.08F},
-                                                   {0.14F, 0.15F, 0.18F},
-                                                   {0.80F, 0.62F, 0.12F}}};
     if (kind == EntityKind::box) return kWood[0];
-    if (models::isAircraft(kind)) return kTrims[hashOf(name) % kTrims.size()]; // on white
+    if (models::isAircraft(kind))
+    {
+        const glm::vec3 trim = models::aircraftTrim(hashOf(name)); // on white
+        return {trim.r, trim.g, trim.b};
+    }
     return models::isAnimal(kind) ? coatOf(kind, hashOf(name)) : kPaints[hashOf(name) % kPaints.size()];
 }
 

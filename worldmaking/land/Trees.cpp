@@ -14,6 +14,7 @@
 #include "scenery/models/Dice.h"
 #include "worldmaking/land/LandUse.h"
 #include "worldmaking/land/MapFile.h"
+#include "worldmaking/land/ModelPoints.h"
 #include "worldmaking/plan/Waters.h"
 #include "worldmaking/streets/PathTags.h"
 
@@ -195,7 +196,7 @@ public:
         {
             const bool isYard = shape.form == ShapeForm::area && coverOf(shape.tags) == Cover::yard,
                        isPath = shape.form == ShapeForm::line && isFootway(shape.tags),
-                       isModel = shape.form == ShapeForm::point && !valueOf(shape.tags, "model").empty();
+                       isModel = namesModel(shape);
             const auto paths = isYard || isPath || isModel ? plane.toPlan(shape.paths) : std::nullopt;
             if (!paths || paths->empty()) continue;
             if (isYard)

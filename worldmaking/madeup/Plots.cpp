@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "worldmaking/land/ModelPoints.h"
 #include "worldmaking/madeup/SmoothPath.h"
 #include "worldmaking/plan/Noise.h"
 
@@ -127,13 +127,6 @@ private:
     const PlotRules& _rules;
     TakenPlots& _taken;
 };
-
-/// Degrees from north, clockwise, as text.
-std::string bearingOf(const glm::dvec2& direction)
-{
-    const double bearing = std::atan2(direction.x, direction.y) * 180.0 / std::numbers::pi;
-    return std::to_string(static_cast<int>(std::lround(bearing < 0.0 ? bearing + 360.0 : bearing)));
-}
 
 /// Parks a vehicle where there is room.
 void park(const glm::dvec2& place, const glm::dvec2& ahead, HouseBuilder& builder, Dice& dice,

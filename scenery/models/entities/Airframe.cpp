@@ -6,6 +6,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scenery/models/mesh/MeasureModel.h"
+
 namespace scenery::models
 {
 
@@ -100,14 +102,9 @@ glm::dvec3 loftPoint(const LoftRing& ring, int point, int sides)
 /// Makes a mesh larger about the entity's origin.
 void resizeMesh(Model& model, double scale)
 {
-    model.radiusM = model.heightM = model.foundationM = 0.0;
     for (glm::dvec3& p : model.mesh.positions)
-    {
         p *= scale;
-        model.radiusM = std::max(model.radiusM, std::hypot(p.x, p.y));
-        model.heightM = std::max(model.heightM, p.z);
-        model.foundationM = std::max(model.foundationM, -p.z);
-    }
+    measureModel(model);
 }
 
 } // namespace

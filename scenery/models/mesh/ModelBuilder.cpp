@@ -7,6 +7,8 @@
 #include <osgPMObjects/core/consolidate/MergeWedges.h>
 #include <osgPMObjects/core/consolidate/Normals.h>
 
+#include "scenery/models/mesh/MeasureModel.h"
+
 namespace scenery::models
 {
 
@@ -83,12 +85,7 @@ Model ModelBuilder::finish(double creaseDeg)
     core::mergeWedges(model.mesh);
     core::compactMesh(model.mesh);
     model.surfaces = std::move(_surfaces);
-    for (const glm::dvec3& p : model.mesh.positions)
-    {
-        model.radiusM = std::max(model.radiusM, std::hypot(p.x, p.y));
-        model.heightM = std::max(model.heightM, p.z);
-        model.foundationM = std::max(model.foundationM, -p.z);
-    }
+    measureModel(model);
     return model;
 }
 
