@@ -28,15 +28,22 @@ struct JunctionApproach
     double speedMps = 0.0;
     double standsS = 0.0;      ///< since it has come to a stand
     bool hasRoomBehind = true; ///< to leave the first junction that it does not hold
+    int waitsFor = -1;         ///< the entity for which it stands; -1: none
+    double seenS = 0.0;        ///< when it looked last
+
+    /// Whether a part of it is in a junction.
+    bool isInside() const;
 };
 
 /// Who may drive into junctions: whoever goes before by the rules, nobody into what another one needs who is
-/// let in. Who has stood for long goes before the others who have not been let in.
+/// let in. Who stands in one junction goes before those who are in none; who has stood for long before the
+/// others who have not been let in; and of several who wait for each other in a ring one goes all the same.
 /// Determinism: vehicles ask in the order of their entities. Threads: one.
 class JunctionKeeper
 {
 public:
     static constexpr double kPatienceS = 15.0;
+    static constexpr double kKnotS = 4.0; ///< in which all of a ring have stood before one goes
 
     explicit JunctionKeeper(const RoadScene& roads) : _table(roads) {}
 
@@ -45,11 +52,19 @@ public:
     /// Of a vehicle, which keeps the rules from now on.
     JunctionApproach& of(int vehicle) { return _approaches[vehicle]; }
     void leave(int vehicle) { _approaches.erase(vehicle); }
+
+    /// Tells the time of the step. Who has not looked for a while, because it was taken out or a person
+    /// drives it, keeps the rules no longer.
+    void setTime(double timeS);
     bool isKept(int vehicle) const { return _approaches.contains(vehicle); }
 
-    /// Whether a vehicle may take the lane of one of its claims now, for all that other vehicles of the
-    /// keeper do.
-    bool mayEnter(int vehicle, const JunctionClaim& claim);
+    /// Returns who is in the way of a vehicle that wants to take the lane of one of its claims now, of the
+    /// vehicles of the keeper; -1: it may. `isInKnot`: of several who wait for each other it is the one to
+    /// go, and those lose their claims who stand before the junction.
+    int inTheWay(int vehicle, const JunctionClaim& claim, bool isInKnot = false);
+
+    /// Whether a vehicle waits for others who, all of them standing, wait for it.
+    bool isInKnot(int vehicle) const;
 
 private:
     bool isInTheWay(const JunctionApproach& own, const JunctionClaim& claim, const JunctionApproach& other,
@@ -57,6 +72,7 @@ private:
 
     JunctionTable _table;
     std::map<int, JunctionApproach> _approaches;
+    double _timeS = -1.0;
 };
 
 /// The seconds that a vehicle needs for a way, when it goes on gently from its speed.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <foundation/Angle.h>
 #include <foundation/NearestOnSegment.h>
@@ -126,12 +127,12 @@ private:
 
 } // namespace
 
-std::optional<LeadOnWay> leadOnWay(ActionScene& scene, int actor, const DrivenWay& way,
-                                   const JunctionKeeper& keeper, double aheadM)
+std::vector<LeadOnWay> leadsOnWay(ActionScene& scene, int actor, const DrivenWay& way,
+                                  const JunctionKeeper& keeper, double aheadM)
 {
     const BoundingBox& own = boxOf(scene, actor);
     const WayStrip strip(way, own, way.alongM() + own.centre.x + 0.5 * own.lengthM, aheadM);
-    std::optional<LeadOnWay> lead;
+    std::vector<LeadOnWay> leads;
     const int count = static_cast<int>(scene.scenario().entities.size());
     for (int i = 0; i < count; ++i)
     {
@@ -140,7 +141,7 @@ std::optional<LeadOnWay> leadOnWay(ActionScene& scene, int actor, const DrivenWa
         const BoundingBox& box = boxOf(scene, i);
         if (!strip.mayReach(other, box)) continue;
         auto found = strip.reach(other, box, keeper.isKept(i));
-        if (!found || (lead && found->rearM >= lead->rearM)) continue;
+        if (!found) continue;
         // The height of the way there, not here.
         const auto& points = way.points();
         const auto at = std::lower_bound(points.begin(), points.end(), found->rearM,
@@ -148,9 +149,12 @@ std::optional<LeadOnWay> leadOnWay(ActionScene& scene, int actor, const DrivenWa
                                          { return point.alongM < alongM; });
         if (at != points.end() && std::fabs(at->place.z - other.position.z) > kStripStoreyM) continue;
         found->entity = i;
-        lead = found;
+        found->lengthM = box.lengthM;
+        leads.push_back(*found);
     }
-    return lead;
+    std::stable_sort(leads.begin(), leads.end(),
+                     [](const LeadOnWay& a, const LeadOnWay& b) { return a.rearM < b.rearM; });
+    return leads;
 }
 
 } // namespace simulation

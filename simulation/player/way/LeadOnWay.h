@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "simulation/player/actions/RunningAction.h"
 #include "simulation/player/way/DrivenWay.h"
@@ -17,12 +17,13 @@ struct LeadOnWay
     double rearM = 0.0;    ///< its nearest part, along the way
     double gapM = 0.0;     ///< from the front of the vehicle
     double speedMps = 0.0; ///< along the way; negative: it comes nearer
+    double lengthM = 0.0;  ///< of its box
 };
 
-/// Returns the nearest entity that stands or moves where a vehicle is about to drive, up to `aheadM` before
-/// its front: any part of its box counts that reaches into the strip that the vehicle needs. Of those that
-/// keep the rules, too, whoever comes along the other lane does not count. Nothing: the way is free.
-std::optional<LeadOnWay> leadOnWay(ActionScene& scene, int actor, const DrivenWay& way,
-                                   const JunctionKeeper& keeper, double aheadM);
+/// Returns the entities that stand or move where a vehicle is about to drive, up to `aheadM` before its
+/// front, the nearest first: any part of a box counts that reaches into the strip that the vehicle needs. Of
+/// those that keep the rules, too, whoever comes along the other lane does not count.
+std::vector<LeadOnWay> leadsOnWay(ActionScene& scene, int actor, const DrivenWay& way,
+                                  const JunctionKeeper& keeper, double aheadM);
 
 } // namespace simulation

@@ -19,6 +19,7 @@ namespace
 
 constexpr double kClaimSeenM = 90.0; ///< before a junction others know of it
 constexpr double kToLineMps2 = 1.5, kGiveBackMps2 = 4.0;
+constexpr double kDecidesM = 10.0;       ///< from where it brakes gently for a line it asks
 constexpr double kRoomBehindM = 3.0;     ///< to whoever stands behind a junction
 constexpr double kBeforeJunctionM = 3.0; ///< others swing out as they turn
 constexpr double kOfJunctionM = 3.0;     ///< behind where a junction begins, lines still count as before it
@@ -50,17 +51,46 @@ WayDriver::~WayDriver()
 
 std::optional<WayAdvice> WayDriver::look(ActionScene& scene, double speedMps)
 {
+    _keeper->setTime(scene.timeS());
     if (!_way.follow(scene.motion(_actor))) return std::nullopt;
     measure(scene, speedMps);
     WayAdvice advice;
     advice.allowedMps = _way.allowedMps();
-    const double aheadM = kWayLeastM + kWayLookS * speedMps + speedMps * speedMps / (2.0 * kToLineMps2);
-    advice.lead = leadOnWay(scene, _actor, _way, *_keeper, std::min(aheadM, kWayLookM));
+    _ahead = leadsOnWay(scene, _actor, _way, *_keeper, lookM());
+    if (!_ahead.empty()) advice.lead = _ahead.front();
     lookAtLines(scene, advice);
-    if (!_givesWay) return advice;
-    giveBack(advice.lead);
-    advice.lineM = ask(scene, advice.lead);
+    JunctionApproach& own = _keeper->of(_actor);
+    _isInKnot = _keeper->isInKnot(_actor);
+    own.waitsFor = -1;
+    if (_givesWay)
+    {
+        giveBack();
+        advice.lineM = ask(scene);
+    }
+    constexpr double kBehindM = 5.0;
+    if (advice.lead && advice.lead->gapM < kBehindM) own.waitsFor = advice.lead->entity;
     return advice;
+}
+
+/// How far it looks for others: to stop, and behind the junctions before it for room.
+double WayDriver::lookM() const
+{
+    constexpr double kBehindJunctionM = 25.0;
+    const JunctionApproach& own = _keeper->of(_actor);
+    const double stopsM = own.speedMps * own.speedMps / (2.0 * kToLineMps2);
+    double aheadM = kWayLeastM + kWayLookS * own.speedMps + stopsM;
+    const std::size_t first = firstNotHeld();
+    if (first < own.claims.size() && -own.claims[first].frontM < stopsM + kDecidesM)
+        aheadM = std::max(aheadM, endOf(chainFrom(first) - 1) + kBehindJunctionM - _frontM);
+    return std::min(aheadM, kWayLookM);
+}
+
+std::size_t WayDriver::firstNotHeld() const
+{
+    const auto& claims = _keeper->of(_actor).claims;
+    return static_cast<std::size_t>(
+        std::find_if(claims.begin(), claims.end(), [](const JunctionClaim& claim) { return !claim.isHeld; }) -
+        claims.begin());
 }
 
 /// Where the claims are now; new ones come within sight, old ones lie behind.
@@ -70,6 +100,7 @@ void WayDriver::measure(ActionScene& scene, double speedMps)
     const BoundingBox& box = boxOf(scene, _actor);
     _frontM = _way.alongM() + box.centre.x + 0.5 * box.lengthM;
     JunctionApproach& own = _keeper->of(_actor);
+    own.seenS = scene.timeS();
     own.lengthM = box.lengthM;
     own.speedMps = speedMps;
     own.standsS = speedMps < kStandsMps ? own.standsS + scene.stepS() : 0.0;
@@ -162,69 +193,95 @@ double WayDriver::endOf(std::size_t claim) const
     return fromM;
 }
 
-/// The end of the junctions that have to be passed together, because there is no room to stand between them.
-std::size_t WayDriver::chainFrom(std::size_t first) const
+/// Whether a junction has to be passed together with the one before it, because there is no room to stand
+/// between them.
+bool WayDriver::isChained(std::size_t claim) const
 {
     const JunctionApproach& own = _keeper->of(_actor);
+    return claim > 0 && own.claims[claim].fromM - endOf(claim - 1) < own.lengthM + kRoomBehindM;
+}
+
+/// The end of the junctions that have to be passed together.
+std::size_t WayDriver::chainFrom(std::size_t first) const
+{
     std::size_t end = first + 1;
-    while (end < own.claims.size() && own.claims[end].fromM - endOf(end - 1) < own.lengthM + kRoomBehindM)
+    while (end < _keeper->of(_actor).claims.size() && isChained(end))
         ++end;
     return end;
 }
 
-/// Who was let in and cannot go gives the junction back.
-void WayDriver::giveBack(const std::optional<LeadOnWay>& lead)
+/// Who was let in and cannot go gives the junction back; one that it has to pass together with that in which
+/// it stands not before it has stood for long.
+void WayDriver::giveBack()
 {
-    constexpr double kStandsS = 2.0;
+    constexpr double kStandsS = 2.0, kInM = -0.5;
     JunctionApproach& own = _keeper->of(_actor);
+    bool isBegun = false;
     for (std::size_t i = 0; i < own.claims.size(); ++i)
     {
         JunctionClaim& claim = own.claims[i];
-        if (!claim.isHeld || claim.frontM > -0.5) continue;
-        const bool isLeadBefore = lead && lead->rearM < claim.fromM + 1.0;
+        isBegun = claim.frontM > kInM || (isBegun && isChained(i));
+        if (!claim.isHeld || claim.frontM > kInM) continue;
+        if (isBegun && own.standsS < JunctionKeeper::kPatienceS) continue;
+        const bool isLeadBefore = !_ahead.empty() && _ahead.front().rearM < claim.fromM + 1.0;
         const bool canStop = own.speedMps * own.speedMps < -2.0 * kGiveBackMps2 * claim.frontM;
-        if ((isLeadBefore && own.standsS > kStandsS) || (canStop && !hasRoomBehind(i, chainFrom(i), lead)))
+        if ((isLeadBefore && own.standsS > kStandsS) || (canStop && whoTakesRoom(i, chainFrom(i))))
             claim.isHeld = false;
     }
 }
 
 /// Asks for the next junctions. Returns the way to the line before them; nothing: it may go on.
-std::optional<double> WayDriver::ask(ActionScene& scene, const std::optional<LeadOnWay>& lead)
+std::optional<double> WayDriver::ask(ActionScene& scene)
 {
-    constexpr double kDecidesM = 10.0;
     JunctionApproach& own = _keeper->of(_actor);
-    std::size_t first = 0;
-    while (first < own.claims.size() && own.claims[first].isHeld)
-        ++first;
+    const std::size_t first = firstNotHeld();
     if (first == own.claims.size() || own.claims[first].isBehindRed) return std::nullopt;
     const double lineM = -own.claims[first].frontM;
     if (lineM > own.speedMps * own.speedMps / (2.0 * kToLineMps2) + kDecidesM) return std::nullopt;
     const std::size_t end = chainFrom(first);
-    own.hasRoomBehind = hasRoomBehind(first, end, lead);
-    if (!own.hasRoomBehind || isStrangerAhead(scene, first, end, lead)) return lineM;
+    const auto standing = whoTakesRoom(first, end);
+    own.hasRoomBehind = !standing;
+    if (standing) own.waitsFor = *standing;
+    // Of a ring of vehicles, each without room behind the next junction, one has to go on.
+    if (standing && !_isInKnot) return lineM;
+    if (isStrangerAhead(scene, first, end)) return lineM;
     for (std::size_t i = first; i < end; ++i)
-        if (!_keeper->mayEnter(_actor, own.claims[i])) return lineM;
+    {
+        own.waitsFor = _keeper->inTheWay(_actor, own.claims[i], _isInKnot);
+        if (own.waitsFor >= 0) return lineM;
+    }
     for (std::size_t i = first; i < end; ++i)
         own.claims[i].isHeld = true;
     return std::nullopt;
 }
 
-/// Whether the vehicle could leave the junctions again, and nobody is between it and them.
-bool WayDriver::hasRoomBehind(std::size_t first, std::size_t end, const std::optional<LeadOnWay>& lead) const
+/// Who stands behind the junctions, or before them, so that the vehicle could not leave them again; nothing:
+/// there is room for it and for all who go there before it.
+std::optional<int> WayDriver::whoTakesRoom(std::size_t first, std::size_t end) const
 {
     constexpr double kGoesMps = 2.5;
-    if (!lead) return true;
     const JunctionApproach& own = _keeper->of(_actor);
-    if (lead->rearM < own.claims[first].fromM + 1.0) return lead->speedMps > kGoesMps;
-    // A ring goes on when all in it go on; whoever comes into it needs the room.
     JunctionTable& table = _keeper->table();
-    if (table.staysInRing(own.claims[first].lane) && table.staysInRing(own.claims[end - 1].lane)) return true;
-    return lead->speedMps > kGoesMps || lead->rearM > endOf(end - 1) + own.lengthM + kRoomBehindM;
+    // A ring goes on when all in it go on; whoever comes into it needs the room.
+    const bool staysInRing =
+        table.staysInRing(own.claims[first].lane) && table.staysInRing(own.claims[end - 1].lane);
+    double needsM = own.lengthM + kRoomBehindM;
+    for (const LeadOnWay& other : _ahead)
+    {
+        const bool isBefore = other.rearM < own.claims[first].fromM + 1.0;
+        if (other.speedMps > kGoesMps || (staysInRing && !isBefore))
+        {
+            needsM += other.lengthM + kRoomBehindM;
+            continue;
+        }
+        if (isBefore || other.rearM < endOf(end - 1) + needsM) return other.entity;
+        return std::nullopt;
+    }
+    return std::nullopt;
 }
 
 /// Whether somebody who asks nobody, as a person does not, is there or will be while the vehicle passes.
-bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end,
-                                const std::optional<LeadOnWay>& lead) const
+bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end) const
 {
     constexpr double kNearM = 80.0, kCrossingM = 3.0, kBesideM = 2.0, kLookS = 0.5, kMostS = 6.0;
     const JunctionApproach& own = _keeper->of(_actor);
@@ -239,7 +296,7 @@ bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size
         const glm::dvec2 apart(other.position - self.position), velocity(other.velocity);
         if (glm::length(apart) > kNearM || std::fabs(other.position.z - self.position.z) > kNearM) continue;
         const bool followsIt = glm::dot(apart, ahead) < 0.0 && glm::dot(velocity, ahead) >= 0.0;
-        const bool leadsIt = lead && lead->entity == i && lead->speedMps > 1.0;
+        const bool leadsIt = !_ahead.empty() && _ahead.front().entity == i && _ahead.front().speedMps > 1.0;
         if (followsIt || leadsIt) continue;
         const BoundingBox& box = boxOf(scene, i);
         const glm::dvec2 middle = glm::dvec2(other.position + other.bodyToLocal() * box.centre);

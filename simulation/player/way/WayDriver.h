@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "simulation/player/actions/RunningAction.h"
 #include "simulation/player/way/DrivenWay.h"
@@ -49,19 +50,23 @@ private:
     void lookAtLines(const ActionScene& scene, WayAdvice& advice);
     bool goesOnAmber(const ActionScene& scene, const DrivenWay::Line& line, const std::string& state);
     void markLights(const ActionScene& scene, std::optional<double> redAtM);
-    void giveBack(const std::optional<LeadOnWay>& lead);
-    std::optional<double> ask(ActionScene& scene, const std::optional<LeadOnWay>& lead);
+    void giveBack();
+    std::optional<double> ask(ActionScene& scene);
+    double lookM() const;
+    std::size_t firstNotHeld() const;
+    bool isChained(std::size_t claim) const;
     std::size_t chainFrom(std::size_t first) const;
-    bool hasRoomBehind(std::size_t first, std::size_t end, const std::optional<LeadOnWay>& lead) const;
-    bool isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end,
-                         const std::optional<LeadOnWay>& lead) const;
+    std::optional<int> whoTakesRoom(std::size_t first, std::size_t end) const;
+    bool isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end) const;
     double endOf(std::size_t claim) const;
 
     std::shared_ptr<JunctionKeeper> _keeper;
     int _actor;
     bool _givesWay;
     DrivenWay _way;
-    double _frontM = 0.0; ///< along the way
+    double _frontM = 0.0;          ///< along the way
+    std::vector<LeadOnWay> _ahead; ///< who is on it, the nearest first
+    bool _isInKnot = false;        ///< as JunctionKeeper::isInKnot()
     std::optional<Amber> _amber;
 };
 
