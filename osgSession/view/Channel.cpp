@@ -34,6 +34,12 @@ FrustumAngles symmetricFrustumY(double verticalDeg, int widthPx, int heightPx)
     return {-x, x, -y, y};
 }
 
+double zoomedDeg(double verticalDeg, double factor)
+{
+    if (factor == 1.0) return verticalDeg; // to the last bit
+    return 2.0 * scaledHalfDeg(0.5 * verticalDeg, 1.0 / factor);
+}
+
 ViewSetup singleChannel(int widthPx, int heightPx, double verticalDeg)
 {
     Channel channel;

@@ -58,8 +58,13 @@ struct ViewSetup
 FrustumAngles symmetricFrustumX(double horizontalDeg, int widthPx, int heightPx);
 FrustumAngles symmetricFrustumY(double verticalDeg, int widthPx, int heightPx);
 
+/// Returns the angle of the middle part of a picture that is shown `factor` times as large.
+double zoomedDeg(double verticalDeg, double factor);
+
+inline constexpr double kPictureDeg = 40.0; ///< the height of a picture, unless something else is said
+
 /// Returns a setup with one channel that looks straight ahead.
-ViewSetup singleChannel(int widthPx, int heightPx, double verticalDeg = 40.0);
+ViewSetup singleChannel(int widthPx, int heightPx, double verticalDeg = kPictureDeg);
 
 /// Returns the camera pose of a channel.
 scenery::Pose channelEye(const Channel& channel, const scenery::Pose& eye);

@@ -126,6 +126,32 @@ TEST_F(Window, AKeyIsInThePictureOfItsFrame)
     RecordProperty("picturesBehind", first - 10);
 }
 
+TEST_F(Window, BinocularsShowMoreWhileTheirKeyIsHeld)
+{
+    const auto pictures = [&](const std::string& name, const std::string& lines)
+    {
+        EXPECT_TRUE(
+            succeeds(inWindow({"fly", place.hill(), "--aircraft", kSeatAircraft, "--start", "0,0,300,90,50",
+                               "--interior", "off", "--keys", keys(name + ".keys", lines), "--picture-time",
+                               "0.1", "--capture", path(name)})));
+        return bytesIn(path(name));
+    };
+    const auto plain = pictures("plain", "2 tap Escape\n"),
+               held = pictures("held", "0.8 press r\n1.2 release r\n2 tap Escape\n");
+    ASSERT_EQ(plain.size(), held.size());
+    ASSERT_GE(held.size(), 20U);
+    int number = 0, others = 0;
+    for (const auto& [file, bytes] : held)
+    {
+        const bool isSame = plain.at(file) == bytes;
+        others += isSame ? 0 : 1;
+        EXPECT_TRUE(isSame || (number >= 8 && number <= 14)) << file;
+        ++number;
+    }
+    EXPECT_GE(others, 3);
+    EXPECT_LE(others, 6) << "the hand moves nothing else";
+}
+
 TEST_F(Window, ResetKeepsWhatWasRecorded)
 {
     const std::string lines = "1 tap BackSpace\n2 tap Home\n3 tap p\n3.2 tap Period\n4 close\n";

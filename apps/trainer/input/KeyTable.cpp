@@ -36,6 +36,7 @@ constexpr std::array kBindings{
     KeyBinding{"l", Scope::all, leanLeft, "", -1.0, "head to the right"},
     KeyBinding{"t", Scope::all, leanUp, "", 1.0, "head up"},
     KeyBinding{"b", Scope::all, leanUp, "", -1.0, "head down"},
+    KeyBinding{"r", Scope::all, zoom, "", 2.0, "binoculars, while held"},
     KeyBinding{"o", Scope::all, straighten, "", 0.0, "head straight ahead again"},
     KeyBinding{"m", Scope::ride, panel, "", 0.0, "close to the dials, or away"},
     KeyBinding{"p", Scope::all, pause, "", 0.0, "pause, or go on"},

@@ -25,6 +25,7 @@ enum class KeyAction
     leanAhead, ///< moves the head in its seat while it is held; `amount`: 1 or -1
     leanLeft,
     leanUp,
+    zoom, ///< shows the middle of the picture larger while it is held; `amount`: doublings
     straighten,
     panel,     ///< the head reads the instruments, or looks out again
     altimeter, ///< sets it; `amount`: hPa more
@@ -65,7 +66,7 @@ std::span<const KeyBinding> keyTable();
 /// nothing is.
 constexpr bool isHeld(KeyAction action)
 {
-    return action == KeyAction::hold || (action >= KeyAction::glance && action <= KeyAction::leanUp);
+    return action == KeyAction::hold || (action >= KeyAction::glance && action <= KeyAction::zoom);
 }
 
 /// Whether a binding is there for a vehicle of the kind `vehicle` (ride stands for none: then scope all alone

@@ -6,6 +6,7 @@
 #include "play/OwnshipEye.h"
 #include "play/PlayScene.h"
 #include "play/SceneInterior.h"
+#include "view/Channel.h"
 
 namespace trainer
 {
@@ -40,8 +41,15 @@ public:
     }
     bool readsPanel() const { return _reads && isInside(); }
 
-    /// The height of a picture from inside. Units: degrees.
-    double insideDeg() const { return readsPanel() ? _panel.heightDeg : SceneInterior::kPictureDeg; }
+    /// The middle of the picture is shown so many times as large, as through binoculars.
+    void zoom(double factor) { _zoom = factor; }
+
+    /// The height of the picture, with or without an interior around the eye. Units: degrees.
+    double pictureDeg(bool hasInterior) const
+    {
+        const double insideDeg = readsPanel() ? _panel.heightDeg : SceneInterior::kPictureDeg;
+        return zoomedDeg(hasInterior ? insideDeg : kPictureDeg, _zoom);
+    }
 
     /// Moves the head in its seat while this is not 0: metres a second along an axis of the vehicle. It stays
     /// within reach of its place.
@@ -73,6 +81,7 @@ private:
     std::size_t _view = 0;
     scenery::models::PanelView _panel;
     bool _reads = false;
+    double _zoom = 1.0;
     double _glanceDeg = 0.0, _turnedDeg = 0.0, _raisedDeg = 0.0, _bentDeg = 0.0;
     glm::dvec3 _head{0.0}, _leanMps{0.0}; ///< from its place; vehicle's frame
     scenery::Pose _last;

@@ -160,6 +160,8 @@ void WindowSession::act(KeyAction action, double amount)
         return _camera->lean(1, kLeanMps * amount);
     case KeyAction::leanUp:
         return _camera->lean(2, kLeanMps * amount);
+    case KeyAction::zoom:
+        return _camera->zoom(std::exp2(amount));
     case KeyAction::straighten:
         return _camera->straighten();
     case KeyAction::panel:

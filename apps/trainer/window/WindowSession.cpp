@@ -39,8 +39,7 @@ void WindowSession::fitToWindow()
     const int width = std::max(_window->getTraits()->width, 16);
     const int height = std::max(_window->getTraits()->height, 16);
     const bool isInterior = _interior && _interior->view().isShown();
-    ViewSetup setup =
-        isInterior ? singleChannel(width, height, _camera->insideDeg()) : singleChannel(width, height);
+    ViewSetup setup = singleChannel(width, height, _camera->pictureDeg(isInterior));
     setup.nearM = _camera->nearM();
     const Channel& before = _rig->setup().channels.front();
     const osg::Viewport* const overlay = _overlay.camera()->getViewport();

@@ -98,6 +98,18 @@ TEST(Channel, SymmetricFrustaHaveSquarePixels)
     EXPECT_NEAR(byHeight.rightDeg, 30.0, 1e-9);
 }
 
+TEST(Channel, AZoomedPictureShowsTheMiddleSoManyTimesAsLarge)
+{
+    const double deg = trainer::zoomedDeg(trainer::kPictureDeg, 4.0);
+    const glm::dmat4 whole =
+                         trainer::channelProjection(trainer::singleChannel(320, 160).channels[0], 1.0, 9.0),
+                     part = trainer::channelProjection(trainer::singleChannel(320, 160, deg).channels[0], 1.0,
+                                                       9.0);
+    EXPECT_NEAR(part[0][0], 4.0 * whole[0][0], 1e-9);
+    EXPECT_NEAR(part[1][1], 4.0 * whole[1][1], 1e-9);
+    EXPECT_EQ(trainer::zoomedDeg(55.0, 1.0), 55.0);
+}
+
 TEST(Channel, TiledChannelsMakeOnePicture)
 {
     trainer::ViewSetup setup = trainer::singleChannel(640, 480);
