@@ -319,6 +319,27 @@ TEST(JunctionPaving, ABorderThatALaneCoversInPartIsCutThere)
     }
 }
 
+TEST(JunctionPaving, AVergeBehindASidewalkEndsWhereTheLanesOfAnotherRoadBegin)
+{
+    const std::string tags =
+        "junction=\"-1\"><link><predecessor elementType=\"junction\" elementId=\"9\"/></link>";
+    const std::string sidewalk =
+        "<lane id=\"-2\" type=\"sidewalk\"><width sOffset=\"0\" a=\"1.5\" b=\"0\" "
+        "c=\"0\" d=\"0\"/><height sOffset=\"0\" inner=\"0.12\" outer=\"0.12\"/></lane>";
+    for (const double gapM : {0.1, 0.3, 0.8, 1.2, 1.6, 2.2})
+    {
+        const DrawnRoads drawn(buildRoadMesh(
+            networkOf({{1, {0.0, 0.0}, 0.0, tags, sidewalk}, {2, {0.0, -5.0 - gapM}, 0.0, tags, ""}})));
+        for (double across = 0.03; across < gapM + 3.4; across += 0.01)
+        {
+            const auto sample = drawn.at({30.0, -5.0 - across});
+            ASSERT_TRUE(sample) << gapM << " m, " << across;
+            if (std::fabs(across - gapM) < 0.03) continue;
+            EXPECT_EQ(sample->isPaved(), across > gapM) << gapM << " m, " << across;
+        }
+    }
+}
+
 TEST(JunctionPaving, TheSectionsSeeARaisedEdgeAndMissingPaving)
 {
     const testsupport::TestFolder folder("paving");

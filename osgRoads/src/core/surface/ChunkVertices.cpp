@@ -84,9 +84,19 @@ bool ChunkVertices::isCovered(const ChunkRow& row, double t, JunctionCover::By b
 void ChunkVertices::cutByOthers(std::size_t row, const Strip& strip, StripOfRow& of) const
 {
     const std::size_t last = of.first + of.count - 1;
+    const bool isVerge = strip.isBesideLanes() && !of.isSkirt;
+    const StripCut::Place outer =
+        of.isRightCovered ? StripCut::Place{row, of.first, last} : StripCut::Place{row, last, of.first};
+    if (isVerge && of.isRightCovered != of.isLeftCovered && _cut.isRaised(outer))
+    {
+        const StripCut::Ends ends = _cut.ofRaisedVerge(outer);
+        of.right = of.isRightCovered ? ends.covered : ends.across;
+        of.left = of.isRightCovered ? ends.across : ends.covered;
+        return;
+    }
     const auto presentAt = [&](const StripCut::Place& place, bool isCoveredAcross) -> std::uint8_t
     {
-        if (strip.isBesideLanes() && !of.isSkirt) return _cut.ofVerge(place, isCoveredAcross);
+        if (isVerge) return _cut.ofVerge(place, isCoveredAcross);
         return of.isSkirt || isCoveredAcross ? 0 : _cut.ofLane(place);
     };
     if (of.isRightCovered) of.right = presentAt({row, of.first, last}, of.isLeftCovered);

@@ -10,8 +10,8 @@ namespace osgRoads::core
 namespace
 {
 
-constexpr int kHalvings = 5; ///< 8 cm of a verge of 2.5 m
-constexpr int kHalvingsOfLane = 8;
+constexpr int kHalvings = 5;         ///< 8 cm of a verge of 2.5 m
+constexpr int kHalvingsOfRaised = 8; ///< of lanes, and of verges that lie higher than lanes
 constexpr double kBeyond = 0.1;
 constexpr double kBeyondM = 0.02;    ///< of lanes: between two rows the cut is no straight line
 constexpr std::size_t kDrawnRow = 2; ///< every second one is drawn
@@ -46,6 +46,26 @@ double StripCut::tBetween(const Place& place, double way) const
     return std::lerp(row.points[place.across].t, row.points[place.column].t, way);
 }
 
+bool StripCut::isRaised(const Place& place) const
+{
+    return _rows.rows()[place.row].points[place.across].h > kBeyondM;
+}
+
+StripCut::Ends StripCut::ofRaisedVerge(const Place& place) const
+{
+    constexpr double kWhole = 255.0, kCut = 127.5;
+    const ChunkRow& row = _rows.rows()[place.row];
+    double drawn = 0.0, covered = 1.0;
+    for (int i = 0; i < kHalvingsOfRaised; ++i)
+    {
+        const double middle = 0.5 * (drawn + covered);
+        (_cover.covers(row.s, tBetween(place, middle), JunctionCover::By::paving) ? covered : drawn) = middle;
+    }
+    const auto byte = [](double present) { return static_cast<std::uint8_t>(std::lround(present)); };
+    if (covered >= 0.5) return {byte(kWhole - kCut / covered), byte(kWhole)};
+    return {0, byte(kCut / (1.0 - covered))};
+}
+
 std::uint8_t StripCut::ofVerge(const Place& place, bool isCoveredAcross) const
 {
     const ChunkRow& here = _rows.rows()[place.row];
@@ -77,7 +97,7 @@ std::uint8_t StripCut::ofLane(const Place& place) const
     return static_cast<std::uint8_t>(std::lround(
         presentBeside([&](double way)
                       { return _cover.covers(row.s, tBetween(place, way), JunctionCover::By::carriageway); },
-                      kHalvingsOfLane, kBeyondM / widthM)));
+                      kHalvingsOfRaised, kBeyondM / widthM)));
 }
 
 } // namespace osgRoads::core

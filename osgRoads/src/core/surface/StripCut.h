@@ -28,6 +28,19 @@ public:
     /// below the other road, since verges fall outwards.
     std::uint8_t ofVerge(const Place& place, bool isCoveredAcross) const;
 
+    /// Whether the inner border of a verge, `across`, lies higher than the lanes: it begins at a sidewalk.
+    bool isRaised(const Place& place) const;
+
+    /// What is drawn at the covered border of a strip, and at its other one.
+    struct Ends
+    {
+        std::uint8_t covered = 0, across = 255;
+    };
+
+    /// The same of a verge that isRaised(): it would lie over the other road's lanes, so it ends where these
+    /// begin.
+    Ends ofRaisedVerge(const Place& place) const;
+
     /// Returns what is drawn at a border of a lane that carriageways cover, while its other border is free:
     /// the cut lies where the cover begins, or at the half of the lane where that is less.
     std::uint8_t ofLane(const Place& place) const;
