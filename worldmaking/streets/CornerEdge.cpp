@@ -14,6 +14,7 @@
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
 
+#include "worldmaking/streets/BendRoom.h"
 #include "worldmaking/streets/ConnectingRoad.h"
 #include "worldmaking/streets/LaneLayout.h"
 
@@ -72,13 +73,24 @@ bool isWithinArm(const ArmSide& side, double towardsArm, const glm::dvec2& point
     return towardsArm * glm::dot(way, along) > 0.0 && glm::dot(way, left) > 0.0;
 }
 
-Lane stripOf(LaneType type, double fromM, double toM, double lengthM)
+/// What lies outside of the lanes of a road that there are so far.
+Lane stripOf(const Road& road, LaneType type, double fromM, double toM)
 {
-    const double rise = toM - fromM;
+    const double rise = toM - fromM, lengthM = road.length;
+    const auto& inside = road.sections.front().right;
+    const auto insideM = [&](double s)
+    {
+        double widthM = 0.0;
+        for (const Lane& lane : inside)
+            widthM += lane.width.value(s);
+        return widthM;
+    };
     Lane lane;
     lane.type = type;
-    lane.width = CubicProfile({Cubic{0.0, fromM, 0.0, 3.0 * rise / (lengthM * lengthM),
-                                     -2.0 * rise / (lengthM * lengthM * lengthM)}});
+    lane.width = widthInBend(
+        road,
+        Cubic{0.0, fromM, 0.0, 3.0 * rise / (lengthM * lengthM), -2.0 * rise / (lengthM * lengthM * lengthM)},
+        insideM);
     return lane;
 }
 
@@ -202,10 +214,10 @@ void addEdge(Road& road, const ArmSide& from, const ArmSide& to, const CornerLin
 {
     auto& section = road.sections.front();
     if (std::max(from.shoulderM, to.shoulderM) >= kLeastStripM)
-        section.right.push_back(stripOf(LaneType::special, from.shoulderM, to.shoulderM, road.length));
+        section.right.push_back(stripOf(road, LaneType::special, from.shoulderM, to.shoulderM));
     if (std::max(from.sidewalkM, to.sidewalkM) >= kLeastStripM)
     {
-        section.right.push_back(stripOf(LaneType::sidewalk, from.sidewalkM, to.sidewalkM, road.length));
+        section.right.push_back(stripOf(road, LaneType::sidewalk, from.sidewalkM, to.sidewalkM));
         section.right.back().heights = kerbHeights(from.sidewalkM, to.sidewalkM, road.length);
     }
     for (std::size_t i = 0; i < section.right.size(); ++i)

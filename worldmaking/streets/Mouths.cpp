@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <foundation/Angle.h>
+#include <glm/geometric.hpp>
 
 #include "worldmaking/streets/LaneLayout.h"
 
@@ -16,7 +17,10 @@ namespace
 
 constexpr double kAheadM = 12.0;        ///< where the direction of an arm is taken
 constexpr double kTurnRoomM = 3.0;      ///< beyond the place where borders meet
-constexpr double kMostMouthM = 30.0;    ///< arms that run side by side never come clear
+constexpr double kMostAngledM = 30.0;   ///< beyond, arms are looked at along their lines: these bend
+constexpr double kMostMouthM = 110.0;   ///< arms that run side by side never come clear
+constexpr double kMouthLookM = 2.0;     ///< between places of a line that are looked at
+constexpr double kMostBendRad = 0.6;    ///< of a line within a crossing, whose turns are one bend each
 constexpr double kAlmostStraight = 2.8; ///< radians: such arms do not meet at their sides
 constexpr double kMostShare = 0.4;      ///< of a chain, for each of its ends
 
@@ -37,13 +41,52 @@ Arm armOf(const StreetGraph& graph, const std::vector<CentreLine>& lines, const 
     return {std::atan2(way.y, way.x), layoutOf(graph.traitsAt(chain, piece)).halfWidthM()};
 }
 
-/// How far along `arm` its border meets that of `other`.
+/// How far along `arm` its border meets that of `other`, both straight.
 double meetingM(const Arm& arm, const Arm& other)
 {
     const double angle = std::fabs(foundation::wrappedRad(other.headingRad - arm.headingRad));
     if (angle > kAlmostStraight) return 0.0;
     const double sine = std::max(std::sin(angle), 1e-3);
-    return std::clamp((other.halfWidthM + arm.halfWidthM * std::cos(angle)) / sine, 0.0, kMostMouthM);
+    return std::max((other.halfWidthM + arm.halfWidthM * std::cos(angle)) / sine, 0.0);
+}
+
+/// The places of an arm from the crossing outwards, kMouthLookM apart, as far as it is one bend.
+std::vector<glm::dvec2> mouthPlaces(const CentreLine& line, const StreetArm& arm)
+{
+    std::vector<glm::dvec2> places;
+    const double mostM = std::min(kMostMouthM, line.lengthM());
+    double turnedRad = 0.0, headingRad = 0.0;
+    for (double awayM = 0.0; awayM <= mostM; awayM += kMouthLookM)
+    {
+        const auto point = line.at(arm.isEnd ? line.lengthM() - awayM : awayM);
+        if (!places.empty()) turnedRad += std::fabs(foundation::wrappedRad(point.headingRad - headingRad));
+        if (turnedRad > kMostBendRad) break;
+        headingRad = point.headingRad;
+        places.push_back(point.position);
+    }
+    return places;
+}
+
+/// How far along one arm its paving is clear of that of another, or as far as there are places.
+double clearOf(const std::vector<glm::dvec2>& own, const std::vector<glm::dvec2>& others, double apartM)
+{
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+        const auto isNear = [&](const glm::dvec2& place) { return glm::distance(place, own[i]) < apartM; };
+        if (std::none_of(others.begin(), others.end(), isNear)) return static_cast<double>(i) * kMouthLookM;
+    }
+    return static_cast<double>(own.size()) * kMouthLookM;
+}
+
+/// How far along an arm the crossing reaches for the sake of another one.
+double mouthFor(const StreetGraph& graph, const std::vector<CentreLine>& lines, const StreetArm& arm,
+                const StreetArm& other)
+{
+    const Arm self = armOf(graph, lines, arm), beside = armOf(graph, lines, other);
+    const double angledM = meetingM(self, beside);
+    if (angledM <= kMostAngledM) return angledM;
+    return clearOf(mouthPlaces(lines[arm.chain], arm), mouthPlaces(lines[other.chain], other),
+                   self.halfWidthM + beside.halfWidthM);
 }
 
 } // namespace
@@ -55,9 +98,8 @@ std::vector<ChainCut> mouthsOf(const StreetGraph& graph, const std::vector<Centr
         for (const StreetArm& arm : crossing.arms)
         {
             double mouth = 0.0;
-            const Arm self = armOf(graph, lines, arm);
             for (const StreetArm& other : crossing.arms)
-                if (&other != &arm) mouth = std::max(mouth, meetingM(self, armOf(graph, lines, other)));
+                if (&other != &arm) mouth = std::max(mouth, mouthFor(graph, lines, arm, other));
             const double length = lines[arm.chain].lengthM();
             const double most = std::min(kMostShare * length, 0.5 * (length - kLeastRoadM));
             (arm.isEnd ? cuts[arm.chain].endM : cuts[arm.chain].startM) =

@@ -16,8 +16,8 @@ struct ChainCut
 };
 
 /// Finds where each chain's road begins and ends: where its paving has come clear of that of the other arms,
-/// with room for the bends of turning traffic. At least a fifth of a chain, and kLeastRoadM of it, is left to
-/// the road.
+/// with room for the bends of turning traffic; at small angles it is looked for along the lines, which bend.
+/// At least a fifth of a chain, and kLeastRoadM of it, is left to the road.
 /// `lines`: of the chains. Source: ours; the distance at which the borders of two strips meet, by plane
 /// geometry.
 std::vector<ChainCut> mouthsOf(const StreetGraph& graph, const std::vector<CentreLine>& lines);

@@ -60,7 +60,29 @@ public:
         return highest;
     }
 
+    /// The area of what is drawn of paving with its underside up: surfaces that are folded over. Square
+    /// metres.
+    double foldedM2() const
+    {
+        double folded = 0.0;
+        for (const auto& chunk : _mesh.chunks)
+            for (std::uint32_t i = 0; i < chunk.levels.front().indexCount; i += 3)
+                folded += foldedM2Of(chunk.levels.front().firstIndex + i);
+        return folded;
+    }
+
 private:
+    double foldedM2Of(std::uint32_t first) const
+    {
+        const auto& corner = vertex(first);
+        if (isGround(corner.kind) || corner.kind == osgRoads::core::SurfaceKind::kerb) return 0.0; // upright
+        for (std::uint32_t i = 0; i < 3; ++i)
+            if (vertex(first + i).present < 128) return 0.0;
+        const glm::dvec2 from(_mesh.placeOf(corner)), a = glm::dvec2(_mesh.placeOf(vertex(first + 1))) - from,
+                                                      b = glm::dvec2(_mesh.placeOf(vertex(first + 2))) - from;
+        return std::max(0.0, -0.5 * (a.x * b.y - a.y * b.x));
+    }
+
     static constexpr double kCellM = 1.0;
     static std::pair<int, int> cellOf(glm::dvec2 place)
     {
