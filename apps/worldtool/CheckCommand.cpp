@@ -209,11 +209,10 @@ nlohmann::ordered_json watersOf(const worldmaking::WorldFaults& faults, const Pl
 nlohmann::ordered_json crossingsOf(const worldmaking::WorldFaults& faults,
                                    const osgRoads::core::PlacedNetwork* roads, const PlacedTile& tile)
 {
-    constexpr const char* kNames[] = {"roads", "rails", "tunnel", "railEnd", "footbridge"};
     auto rows = nlohmann::ordered_json::array();
     for (const auto& fault : faults.crossingFaults)
     {
-        nlohmann::ordered_json row{{"fault", kNames[static_cast<std::size_t>(fault.flaw)]},
+        nlohmann::ordered_json row{{"fault", worldmaking::wordOf(fault.flaw)},
                                    {"sM", fault.sM},
                                    {"foundM", fault.foundM},
                                    {"wantedM", fault.wantedM}};

@@ -320,6 +320,26 @@ private:
 
 } // namespace
 
+const char* wordOf(CrossingFlaw flaw)
+{
+    switch (flaw)
+    {
+    case CrossingFlaw::roads:
+        return "roads";
+    case CrossingFlaw::rails:
+        return "rails";
+    case CrossingFlaw::tunnel:
+        return "tunnel";
+    case CrossingFlaw::railEnd:
+        return "railEnd";
+    case CrossingFlaw::footbridge:
+        return "footbridge";
+    case CrossingFlaw::lines:
+        break;
+    }
+    return "lines";
+}
+
 std::vector<CrossingFault> crossingFaults(const PlacedNetwork* roads, std::span<const RailLine> rails,
                                           const foundation::HeightInPlan& groundM)
 {

@@ -33,6 +33,9 @@ enum class CrossingFlaw : std::uint8_t
     lines       ///< railways and footbridges pass over each other with too little room
 };
 
+/// The word that tables have for a fault.
+const char* wordOf(CrossingFlaw flaw);
+
 struct CrossingFault
 {
     CrossingFlaw flaw = CrossingFlaw::roads;

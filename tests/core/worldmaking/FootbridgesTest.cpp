@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -265,6 +267,14 @@ TEST(CrossingCheck, SeesFootbridgesAndRailwaysThatAreTooCloseToEachOther)
     EXPECT_TRUE(faults[0].isUpperFootbridge && !faults[0].isLowerFootbridge);
     EXPECT_NEAR(faults[0].foundM, 2.6, 0.1);
     EXPECT_EQ(faults[0].wantedM, 4.5);
+}
+
+TEST(CrossingCheck, EachFlawHasAWordOfItsOwn)
+{
+    std::set<std::string> words;
+    for (int flaw = 0; flaw <= static_cast<int>(CrossingFlaw::lines); ++flaw)
+        words.insert(wordOf(static_cast<CrossingFlaw>(flaw)));
+    EXPECT_EQ(words, (std::set<std::string>{"footbridge", "lines", "railEnd", "rails", "roads", "tunnel"}));
 }
 
 TEST(CrossingCheck, SeesAFootbridgeThatIsTooLow)
