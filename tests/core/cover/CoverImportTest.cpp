@@ -10,6 +10,7 @@
 #include <osgTerrainROAM/core/cover/CoverImport.h>
 
 #include "KeptFiles.h"
+#include "SetScaleY.h"
 #include "SyntheticField.h"
 #include "UnsortedTags.h"
 
@@ -39,6 +40,12 @@ protected:
     void SetUp() override
     {
         GDALAllRegister();
+        write(false);
+    }
+
+    /// `isSouthUp`: the same classes at the same places, in rows from south to north.
+    void write(bool isSouthUp)
+    {
         _file = std::filesystem::temp_directory_path() /
                 ("osgtrainer-cover-" + std::to_string(::getpid()) + ".tif");
         GDALDataset* dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
@@ -52,7 +59,7 @@ protected:
         std::vector<unsigned char> classes;
         for (int y = 0; y < kCoverSide; ++y)
             for (int x = 0; x < kCoverSide; ++x)
-                classes.push_back(static_cast<unsigned char>(classAt(x, y)));
+                classes.push_back(static_cast<unsigned char>(classAt(x, isSouthUp ? kCoverSide - 1 - y : y)));
         EXPECT_EQ(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, kCoverSide, kCoverSide, classes.data(),
                                                       kCoverSide, kCoverSide, GDT_Byte, 0, 0, nullptr),
                   CE_None);
@@ -103,6 +110,40 @@ TEST_F(CoverImport, EachTexelIsTheClassOfItsPlaceOnEarth)
     EXPECT_GT(shifted, 300) << "one pixel off is found out";
 }
 
+/// A negative ScaleY and a transform of the same meaning lie as the raster from north to south does, and are
+/// told; with rows in the other order the classes lie elsewhere.
+TEST_F(CoverImport, RowsFromSouthToNorthLieWhereTheyBelong)
+{
+    const auto north = importCover(_file, worldCoverTable(), alps());
+    ASSERT_TRUE(north);
+    constexpr double kSouth = kNorth - kCoverSide * kStepDeg;
+    for (const bool isScale : {true, false})
+        for (const bool isSouthUp : {true, false})
+        {
+            write(isSouthUp);
+            if (isScale)
+                testsupport::setScaleY(_file, -kStepDeg, kSouth);
+            else
+            {
+                GDALDataset* const dataset =
+                    GDALDataset::Open(_file.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE);
+                double transform[6]{kWest, kStepDeg, 0.0, kSouth, 0.0, kStepDeg};
+                dataset->SetGeoTransform(transform);
+                GDALClose(dataset);
+            }
+            const auto map = importCover(_file, worldCoverTable(), alps());
+            ASSERT_TRUE(map) << map.error().message();
+            ASSERT_EQ(map->kinds.size(), north->kinds.size());
+            double others = 0.0; // texels on the border of two pixels may take either
+            for (std::size_t i = 0; i < map->kinds.size(); ++i)
+                others +=
+                    map->kinds[i] != north->kinds[i] ? 1.0 / static_cast<double>(map->kinds.size()) : 0.0;
+            EXPECT_EQ(others < 0.01, isSouthUp) << others;
+            ASSERT_EQ(map->notes.size(), 1u);
+            EXPECT_THAT(map->notes[0], HasSubstr("its rows run from south to north"));
+        }
+}
+
 TEST_F(CoverImport, AFinerGridUnderTheRasterChangesNothing)
 {
     PlacedTileOptions options;
@@ -140,6 +181,29 @@ TEST_F(CoverImport, WhatGdalWarnsOfIsToldAtTheSecondImportToo)
         ASSERT_EQ(map->notes.size(), 1u);
         EXPECT_THAT(map->notes[0], HasSubstr(_file.string() + ": GDAL warns: "));
     }
+}
+
+TEST_F(CoverImport, ARasterPlacedByControlPointsIsRefused)
+{
+    const testsupport::TestFolder folder("cover-points");
+    const auto file = folder / "points.tif";
+    GDALDataset* const dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        file.c_str(), kCoverSide, kCoverSide, 1, GDT_Byte, nullptr);
+    GDAL_GCP points[4];
+    GDALInitGCPs(4, points);
+    for (int i = 0; i < 4; ++i)
+    {
+        points[i].dfGCPPixel = i % 2 * kCoverSide, points[i].dfGCPLine = i / 2 * kCoverSide;
+        points[i].dfGCPX = kWest + i % 2 * 0.06 + i / 2 * 0.01, points[i].dfGCPY = kNorth - i / 2 * 0.06;
+    }
+    OGRSpatialReference geodetic;
+    geodetic.SetWellKnownGeogCS("WGS84");
+    ASSERT_EQ(dataset->SetGCPs(4, points, &geodetic), CE_None);
+    GDALDeinitGCPs(4, points);
+    GDALClose(dataset);
+    const auto map = importCover(file, worldCoverTable(), alps());
+    ASSERT_FALSE(map);
+    EXPECT_THAT(map.error().message(), HasSubstr("is placed by control points, not as a grid"));
 }
 
 TEST_F(CoverImport, ErrorsNameTheFileAndWhatToDo)

@@ -9,6 +9,7 @@
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
 #include "RasterWriter.h"
+#include "SetScaleY.h"
 
 namespace
 {
@@ -92,27 +93,6 @@ TEST(DemFormats, SouthUpNorthUpAndMirroredColumnsGiveTheSameField)
     EXPECT_NEAR(southWest(folder / "west.tif").longitudeDeg, 8.0, 1e-10);
 }
 
-/// Writes other values of two tags into a TIFF of one directory: ModelPixelScale (33550) and ModelTiepoint
-/// (33922).
-void setScaleY(const std::filesystem::path& file, double scaleY, double firstY)
-{
-    std::string bytes = readBytes(file);
-    const auto read = [&](std::size_t place, auto value)
-    {
-        std::memcpy(&value, bytes.data() + place, sizeof value);
-        return std::size_t{value};
-    };
-    const std::size_t directory = read(4, std::uint32_t{});
-    for (std::size_t i = 0; i < read(directory, std::uint16_t{}); ++i)
-    {
-        const std::size_t entry = directory + 2 + 12 * i, tag = read(entry, std::uint16_t{}),
-                          values = read(entry + 8, std::uint32_t{});
-        if (tag == 33550) std::memcpy(bytes.data() + values + 8, &scaleY, sizeof scaleY);
-        if (tag == 33922) std::memcpy(bytes.data() + values + 32, &firstY, sizeof firstY);
-    }
-    writeBytes(file, bytes);
-}
-
 /// The GeoTIFF specification has a negative ScaleY mean rows from south to north; GDAL takes it for north-up
 /// unless it is asked not to. A transform of the same meaning gives the same field, and both are told.
 TEST(DemFormats, ANegativeScaleIsSouthUp)
@@ -127,7 +107,7 @@ TEST(DemFormats, ANegativeScaleIsSouthUp)
                 spec.values.push_back(exampleHeight(c, r));
         if (!isScale) spec.geoTransform = {8.0 - 0.5 * kStep, kStep, 0.0, 46.0 - 0.5 * kStep, 0.0, kStep};
         writeRaster(folder / "south.tif", "GTiff", spec);
-        if (isScale) setScaleY(folder / "south.tif", -kStep, 46.0 - 0.5 * kStep);
+        if (isScale) testsupport::setScaleY(folder / "south.tif", -kStep, 46.0 - 0.5 * kStep);
         expectExample(folder / "south.tif", 5, 4);
         EXPECT_NEAR(southWest(folder / "south.tif").latitudeDeg, 46.0, 1e-10);
         const auto field = importDem(folder / "south.tif");

@@ -14,6 +14,7 @@
 
 #include "../heightfield/DatasetPtr.h"
 #include "../heightfield/GdalSession.h"
+#include "../heightfield/RasterOrientation.h"
 #include "PixelNet.h"
 
 namespace osgTerrainROAM::core
@@ -127,6 +128,7 @@ Result<CoverMap> readCover(const std::filesystem::path& file, const CoverTable& 
                      "give a raster of classes"};
     const auto net = PixelNet::make(*dataset, tile, name);
     if (!net) return net.error();
+    noteSouthUp(GDALDataset::ToHandle(dataset.get()), gdal);
     Classes classes;
     if (!readClasses(*dataset, *net, tile, classes))
         return Error{name, "cannot be read: " + gdal.firstError(), "check the file"};

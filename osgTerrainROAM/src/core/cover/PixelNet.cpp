@@ -20,6 +20,8 @@ Result<PixelNet> PixelNet::make(GDALDataset& dataset, const PlacedTile& tile, co
     const OGRSpatialReference* reference = dataset.GetSpatialRef();
     if (dataset.GetGeoTransform(transform) != CE_None || !reference)
     {
+        if (dataset.GetGCPCount() > 0)
+            return Error{name, "is placed by control points, not as a grid", "straighten it with gdalwarp"};
         net.stretch(dataset, tile);
         return net;
     }

@@ -61,14 +61,6 @@ Result<RasterSource> openHeights(const std::filesystem::path& file, GdalSession&
     return source;
 }
 
-/// Few GeoTIFF files are south-up, and some of these by a mistake of their writer.
-void noteSouthUp(const RasterSource& source, GdalSession& gdal)
-{
-    double t[6];
-    if (isDriver(source, "GTiff") && GDALGetGeoTransform(source.dataset.get(), t) == CE_None && t[5] > 0.0)
-        gdal.note("its rows run from south to north, as its georeference says");
-}
-
 Raster sizeOf(const RasterSource& source)
 {
     Raster raster;
@@ -88,7 +80,7 @@ Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal)
     if (const Outcome samples = readSamples(*source, gdal, raster); !samples) return samples.error();
     if (const Outcome oriented = orientRaster(source->name, source->dataset.get(), raster); !oriented)
         return oriented.error();
-    noteSouthUp(*source, gdal);
+    noteSouthUp(source->dataset.get(), gdal);
     if (raster.frame) raster.crsWkt = crsWktOf(*source);
     return raster;
 }

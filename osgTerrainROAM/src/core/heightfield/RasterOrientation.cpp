@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 namespace osgTerrainROAM::core
 {
@@ -74,6 +75,14 @@ Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& rast
     if (turn->flipsColumns) flipColumns(raster);
     if (turn->flipsRows) flipRows(raster);
     return foundation::success();
+}
+
+void noteSouthUp(GDALDatasetH dataset, GdalSession& gdal)
+{
+    double t[6];
+    const bool isGeoTiff = std::string_view(GDALGetDriverShortName(GDALGetDatasetDriver(dataset))) == "GTiff";
+    if (isGeoTiff && GDALGetGeoTransform(dataset, t) == CE_None && t[5] > 0.0)
+        gdal.note("its rows run from south to north, as its georeference says");
 }
 
 } // namespace osgTerrainROAM::core

@@ -6,6 +6,7 @@
 #include <foundation/Result.h>
 #include <gdal.h>
 
+#include "GdalSession.h"
 #include "RasterFile.h"
 
 namespace osgTerrainROAM::core
@@ -26,5 +27,9 @@ foundation::Result<RasterTurn> readOrientation(const std::string& name, GDALData
 /// columns east. An image without georeference begins at the top.
 /// Errors: a rotated grid, an invalid georeference.
 foundation::Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& raster);
+
+/// Tells of a GeoTIFF whose rows run from south to north: few do, and some of these by a mistake of their
+/// writer.
+void noteSouthUp(GDALDatasetH dataset, GdalSession& gdal);
 
 } // namespace osgTerrainROAM::core
