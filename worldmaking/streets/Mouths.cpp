@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <foundation/Angle.h>
 #include <glm/geometric.hpp>
@@ -50,43 +51,60 @@ double meetingM(const Arm& arm, const Arm& other)
     return std::max((other.halfWidthM + arm.halfWidthM * std::cos(angle)) / sine, 0.0);
 }
 
-/// The places of an arm from the crossing outwards, kMouthLookM apart, as far as it is one bend.
-std::vector<glm::dvec2> mouthPlaces(const CentreLine& line, const StreetArm& arm)
+/// The places of an arm from the crossing outwards, kMouthLookM apart, as far as it turns by less than
+/// `mostBendRad`.
+std::vector<glm::dvec2> mouthPlaces(const CentreLine& line, const StreetArm& arm, double mostBendRad)
 {
+    constexpr double kBesideM = 20.0;
     std::vector<glm::dvec2> places;
-    const double mostM = std::min(kMostMouthM, line.lengthM());
+    const double mostM = std::min(kMostMouthM + kBesideM, line.lengthM());
     double turnedRad = 0.0, headingRad = 0.0;
     for (double awayM = 0.0; awayM <= mostM; awayM += kMouthLookM)
     {
         const auto point = line.at(arm.isEnd ? line.lengthM() - awayM : awayM);
         if (!places.empty()) turnedRad += std::fabs(foundation::wrappedRad(point.headingRad - headingRad));
-        if (turnedRad > kMostBendRad) break;
+        if (turnedRad > mostBendRad) break;
         headingRad = point.headingRad;
         places.push_back(point.position);
     }
     return places;
 }
 
-/// How far along one arm its paving is clear of that of another, or as far as there are places.
-double clearOf(const std::vector<glm::dvec2>& own, const std::vector<glm::dvec2>& others, double apartM)
+/// How far along one arm its paving is clear of that of another; nothing where it is nowhere.
+std::optional<double> clearOf(const std::vector<glm::dvec2>& own, const std::vector<glm::dvec2>& others,
+                              double apartM)
 {
     for (std::size_t i = 0; i < own.size(); ++i)
     {
         const auto isNear = [&](const glm::dvec2& place) { return glm::distance(place, own[i]) < apartM; };
         if (std::none_of(others.begin(), others.end(), isNear)) return static_cast<double>(i) * kMouthLookM;
     }
-    return static_cast<double>(own.size()) * kMouthLookM;
+    return std::nullopt;
 }
 
-/// How far along an arm the crossing reaches for the sake of another one.
+/// How much of a chain one of its crossings may take.
+double mostOf(const CentreLine& line)
+{
+    return std::min(kMostShare * line.lengthM(), 0.5 * (line.lengthM() - kLeastRoadM));
+}
+
+/// How far along an arm the crossing reaches for the sake of another one. Farther than kMostAngledM only
+/// where both arms are long enough to come clear of each other: else it would be no use.
 double mouthFor(const StreetGraph& graph, const std::vector<CentreLine>& lines, const StreetArm& arm,
                 const StreetArm& other)
 {
     const Arm self = armOf(graph, lines, arm), beside = armOf(graph, lines, other);
-    const double angledM = meetingM(self, beside);
+    const double angledM = meetingM(self, beside), apartM = self.halfWidthM + beside.halfWidthM;
     if (angledM <= kMostAngledM) return angledM;
-    return clearOf(mouthPlaces(lines[arm.chain], arm), mouthPlaces(lines[other.chain], other),
-                   self.halfWidthM + beside.halfWidthM);
+    const CentreLine &line = lines[arm.chain], &othersLine = lines[other.chain];
+    constexpr double kAnyRad = 1e9;
+    const auto clearM = clearOf(mouthPlaces(line, arm, kMostBendRad), mouthPlaces(othersLine, other, kAnyRad),
+                                apartM),
+               othersM = clearOf(mouthPlaces(othersLine, other, kMostBendRad),
+                                 mouthPlaces(line, arm, kAnyRad), apartM);
+    const bool isUse = clearM && othersM && std::max(*clearM, *othersM) <= kMostMouthM &&
+                       *clearM + kTurnRoomM <= mostOf(line) && *othersM + kTurnRoomM <= mostOf(othersLine);
+    return isUse ? *clearM : kMostAngledM;
 }
 
 } // namespace
@@ -100,8 +118,7 @@ std::vector<ChainCut> mouthsOf(const StreetGraph& graph, const std::vector<Centr
             double mouth = 0.0;
             for (const StreetArm& other : crossing.arms)
                 if (&other != &arm) mouth = std::max(mouth, mouthFor(graph, lines, arm, other));
-            const double length = lines[arm.chain].lengthM();
-            const double most = std::min(kMostShare * length, 0.5 * (length - kLeastRoadM));
+            const double most = mostOf(lines[arm.chain]);
             (arm.isEnd ? cuts[arm.chain].endM : cuts[arm.chain].startM) =
                 std::max(0.0, std::min(mouth + kTurnRoomM, most));
         }
