@@ -219,7 +219,7 @@ void PlaySession::look(double dtS)
     _rig->setEye(eye);
     _play.follow(eye.positionWorld);
     if (!_interior) return;
-    _interior->update(_play, *_play.player, entities, motionOfOwnship(), eye, *_rig, MirrorPace::all);
+    _interior->update(_play, *_play.player, entities, motionOfOwnship(), {eye, *_rig, MirrorPace::all});
 }
 
 const std::vector<simulation::EntityState>& PlaySession::shown() const

@@ -32,8 +32,7 @@ double SceneInterior::turnAltimeter(double hpa)
 
 void SceneInterior::update(const PlayScene& play, const simulation::ScenarioPlayer& player,
                            const std::vector<simulation::EntityState>& entities,
-                           const simulation::ExternalMotion* motion, const scenery::Pose& eye,
-                           const ChannelRig& rig, MirrorPace pace)
+                           const simulation::ExternalMotion* motion, const Picture& picture)
 {
     if (!_view->isShown()) return;
     const simulation::EntityState& entity = entities[play.watched];
@@ -41,8 +40,8 @@ void SceneInterior::update(const PlayScene& play, const simulation::ScenarioPlay
     const auto readings =
         cockpitReadings({entity, play.scene->lampsOf(play.watched),
                          moved ? &moved->vehicle().vehicle() : nullptr, _flies, _seaHeightM, _altimeterHpa});
-    _view->update(scenery::poseOf(entity), eye, rig.setup().channels.front(), readings,
-                  simulation::isDark(player.environment()), pace);
+    _view->update(scenery::poseOf(entity), picture.eye, picture.rig.setup().channels.front(), readings,
+                  simulation::isDark(player.environment()), picture.pace);
 }
 
 scenery::Pose bent(const scenery::Pose& eye, double upDeg)

@@ -13,6 +13,14 @@ namespace trainer
 class SceneInterior
 {
 public:
+    /// A picture of the inside: from where, through which screen, and which mirrors are drawn for it.
+    struct Picture
+    {
+        const scenery::Pose& eye;
+        const ChannelRig& rig;
+        MirrorPace pace;
+    };
+
     /// The height of a picture from inside. Units: degrees. Wider than from outside, to have windows and
     /// instruments in sight.
     static constexpr double kPictureDeg = 55.0;
@@ -31,8 +39,7 @@ public:
     /// `entities`: as they are shown. `motion`: what moves the watched one; null: the player.
     void update(const PlayScene& play, const simulation::ScenarioPlayer& player,
                 const std::vector<simulation::EntityState>& entities,
-                const simulation::ExternalMotion* motion, const scenery::Pose& eye, const ChannelRig& rig,
-                MirrorPace pace);
+                const simulation::ExternalMotion* motion, const Picture& picture);
 
 private:
     explicit SceneInterior(std::unique_ptr<InteriorView> view) : _view(std::move(view)) {}

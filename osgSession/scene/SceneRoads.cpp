@@ -105,7 +105,7 @@ makeLand(const RoamFile& description, const std::shared_ptr<RoamTile>& tile, con
     if (roads.placed)
         more = {painted, [placed = roads.placed] { return scenery::farRoads(*placed); }, kRibbonsFromM,
                 laid.mark};
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile, std::move(more), kept);
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, more, kept);
     if (!terrain || !roads.placed) return terrain;
     const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
     if (!openings) return openings.error();

@@ -41,7 +41,7 @@ bool isWindsock(const osgTerrainROAM::core::MapShape& shape)
 void add(const osgTerrainROAM::core::ShapeSet& shapes, const osgTerrainROAM::core::PlacedTile& tile,
          MadeStructures& standing)
 {
-    const auto take = [&](std::vector<glm::dvec2> line, const auto& tags, std::int64_t id)
+    const auto take = [&](std::vector<glm::dvec2> line, const scenery::StructureTags& tags, std::int64_t id)
     {
         auto structure = scenery::structureOf(std::move(line), tags, static_cast<std::uint64_t>(id));
         if (structure)

@@ -147,8 +147,8 @@ struct SunShadows::View
     }
 };
 
-SunShadows::SunShadows(osg::ref_ptr<const Atmosphere> atmosphere, const SunShadowSettings& settings)
-    : _atmosphere(std::move(atmosphere))
+SunShadows::SunShadows(const osg::ref_ptr<const Atmosphere>& atmosphere, const SunShadowSettings& settings)
+    : _atmosphere(atmosphere)
 {
     setCullingActive(false); // a shadow is seen where what casts it is not
     setSettings(settings);

@@ -186,7 +186,8 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
 
 foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description,
                                                           const std::shared_ptr<core::RoamTile>& tile,
-                                                          MoreFeatures more, const foundation::KeptFrom& kept)
+                                                          const MoreFeatures& more,
+                                                          const foundation::KeptFrom& kept)
 {
     osg::ref_ptr<osg::Image> drape;
     if (description.imagery.size() == 1 && !description.showsVoids)

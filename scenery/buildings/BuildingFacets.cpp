@@ -318,8 +318,9 @@ private:
     {
         const double floorM =
             _standing.floorM - groundM > kHighStepM ? groundM : std::max(_standing.floorM, groundM);
-        addOpening(from, to, middleM, kDoorHalfM, floorM + 0.05, floorM + kDoorM,
-                   _building.hasShop ? Detail::glassDoor : Detail::door, _building.doorTint);
+        addOpening(from, to,
+                   {middleM, kDoorHalfM, floorM + 0.05, floorM + kDoorM,
+                    _building.hasShop ? Detail::glassDoor : Detail::door, _building.doorTint});
     }
 
     /// The gates of a hangar are in its gables.
@@ -329,8 +330,9 @@ private:
         const PlanRectangle box = rectangleAround(_building.rings.front());
         const glm::dvec2 ridge = _building.isRidgeAcross ? box.across() : box.along;
         if (lengthM < kLeastGateM || std::abs(glm::dot(ridge, to - from)) > 0.1 * lengthM) return;
-        addOpening(from, to, 0.5 * lengthM, 0.5 * kGateShare * lengthM, _standing.floorM + 0.05,
-                   _standing.floorM + 0.94 * _building.eavesM, Detail::gate, _building.doorTint);
+        addOpening(from, to,
+                   {0.5 * lengthM, 0.5 * kGateShare * lengthM, _standing.floorM + 0.05,
+                    _standing.floorM + 0.94 * _building.eavesM, Detail::gate, _building.doorTint});
     }
 
     /// The highest storey of a control tower is glass all around.
@@ -340,8 +342,9 @@ private:
                      lowM = _standing.floorM + _building.eavesM - storeyM;
         const int panes = std::max(1, static_cast<int>(std::lround(lengthM / 1.8)));
         for (int pane = 0; pane < panes; ++pane)
-            addOpening(from, to, (pane + 0.5) * lengthM / panes, 0.5 * lengthM / panes, lowM + 0.7,
-                       lowM + storeyM - 0.15, Detail::shopFront, glm::vec3(0.85F));
+            addOpening(from, to,
+                       {(pane + 0.5) * lengthM / panes, 0.5 * lengthM / panes, lowM + 0.7,
+                        lowM + storeyM - 0.15, Detail::shopFront, glm::vec3(0.85F)});
     }
 
     /// The place of windows over each other. Units: metres.
@@ -359,16 +362,26 @@ private:
         if (sillM < axis.groundM + kClearM) return;                                       // in the ground
         if (isLifted() && sillM < _standing.floorM + _building.liftedM + kClearM) return; // below the house
         if (isShop)
-            addOpening(from, to, axis.middleM, 0.45 * axis.spacingM, floorM + kShopSillM, floorM + 2.5,
-                       Detail::shopFront, glm::vec3(0.9F));
+            addOpening(from, to,
+                       {axis.middleM, 0.45 * axis.spacingM, floorM + kShopSillM, floorM + 2.5,
+                        Detail::shopFront, glm::vec3(0.9F)});
         else
-            addOpening(from, to, axis.middleM, kWindowHalfM, floorM + kSillM,
-                       floorM + std::min(kHeadM, storeyM - 0.15), Detail::window, glm::vec3(1.0F));
+            addOpening(from, to,
+                       {axis.middleM, kWindowHalfM, floorM + kSillM,
+                        floorM + std::min(kHeadM, storeyM - 0.15), Detail::window, glm::vec3(1.0F)});
     }
 
-    void addOpening(const glm::dvec2& from, const glm::dvec2& to, double middleM, double halfM, double lowM,
-                    double highM, Detail detail, const glm::vec3& tint)
+    /// A rectangle in a wall: its middle along the wall, half its width, its lower and its upper edge.
+    struct Opening
     {
+        double middleM, halfM, lowM, highM;
+        Detail detail;
+        glm::vec3 tint;
+    };
+
+    void addOpening(const glm::dvec2& from, const glm::dvec2& to, const Opening& opening)
+    {
+        const auto& [middleM, halfM, lowM, highM, detail, tint] = opening;
         const glm::dvec2 along = glm::normalize(to - from), out(along.y, -along.x);
         const glm::dvec2 left = from + along * (middleM - halfM) + out * kProudM;
         const glm::dvec2 right = from + along * (middleM + halfM) + out * kProudM;

@@ -218,11 +218,11 @@ RoomUse roomsOf(std::string_view kind)
 
 } // namespace
 
-std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, const BuildingTags& tags,
-                                   std::uint64_t id)
+std::optional<Building> buildingOf(const std::vector<std::vector<glm::dvec2>>& rings,
+                                   const BuildingTags& tags, std::uint64_t id)
 {
     Building building;
-    building.rings = tidiedRings(std::move(rings));
+    building.rings = tidiedRings(rings);
     if (building.rings.empty()) return std::nullopt;
     const double areaM2 = areaOf(building.rings);
     if (!(areaM2 >= kLeastAreaM2 && areaM2 <= kMostAreaM2)) return std::nullopt;

@@ -24,8 +24,8 @@ using BuildingTags = std::map<std::string, std::string, std::less<>>;
 /// `rings`: in metres, as MapShape has them. Nothing: an outline without area, or larger than 0.2 km².
 /// Sources: the OpenStreetMap wiki, *Simple 3D Buildings*; osm2city's shares of roof forms (80 % gabled, 10 %
 /// flat, 10 % hipped).
-std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, const BuildingTags& tags,
-                                   std::uint64_t id);
+std::optional<Building> buildingOf(const std::vector<std::vector<glm::dvec2>>& rings,
+                                   const BuildingTags& tags, std::uint64_t id);
 
 /// Makes the building of a tower or mast that the map has as a point; nothing where the tags name none.
 std::optional<Building> towerOf(const glm::dvec2& place, const BuildingTags& tags, std::uint64_t id);

@@ -56,10 +56,10 @@ double areaOf(const std::vector<PlanRing>& rings)
     return area;
 }
 
-std::vector<PlanRing> tidiedRings(std::vector<PlanRing> rings)
+std::vector<PlanRing> tidiedRings(const std::vector<PlanRing>& rings)
 {
     std::vector<PlanRing> tidied;
-    for (PlanRing& ring : rings)
+    for (const PlanRing& ring : rings)
     {
         PlanRing kept = withoutNeedless(ring);
         if (kept.size() < 3)

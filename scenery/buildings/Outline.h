@@ -18,7 +18,7 @@ double areaOf(const std::vector<PlanRing>& rings);
 
 /// Turns rings so that the outer one runs counter-clockwise and holes clockwise, and leaves out corners
 /// nearer than 5 cm to the one before or within 2 cm of the line between their neighbours.
-std::vector<PlanRing> tidiedRings(std::vector<PlanRing> rings);
+std::vector<PlanRing> tidiedRings(const std::vector<PlanRing>& rings);
 
 /// Tells whether a place lies within rings, by the even-odd rule.
 bool isWithin(const std::vector<PlanRing>& rings, const glm::dvec2& place);

@@ -56,8 +56,7 @@ foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& descri
     SceneryNode made{new osg::Group, new osgPMObjects::ProgressiveField};
     setObjectShading(*made.root, Finish::matt);
     if (const auto set = made.field->setBudget(description.budget); !set) return set.error();
-    if (const auto set = made.field->setContents(std::move(kinds), std::move(instances)); !set)
-        return set.error();
+    if (const auto set = made.field->setContents(std::move(kinds), instances); !set) return set.error();
     made.root->addChild(made.field);
     return made;
 }

@@ -137,7 +137,7 @@ waterOf(const osgTerrainROAM::core::RoamFile& description, const osgTerrainROAM:
         for (auto& work : read->works)
             if (work.riseM > 0.0) works.push_back(std::move(work));
     }
-    return osgTerrainROAM::core::Earthworks(std::move(works), 0.0,
+    return osgTerrainROAM::core::Earthworks(works, 0.0,
                                             [](const glm::dvec2&) { return std::optional<double>(); });
 }
 

@@ -91,12 +91,12 @@ public:
 
     WorldFaults look()
     {
-        faults.objects = _things.houses.size() + _things.plants.size();
+        _faults.objects = _things.houses.size() + _things.plants.size();
         lookAtHouses();
         lookAtPlants();
         if (_things.roads) lookAtRoads();
-        faults.onRoad += _housesOnRoads.size();
-        return faults;
+        _faults.onRoad += _housesOnRoads.size();
+        return _faults;
     }
 
 private:
@@ -108,9 +108,9 @@ private:
             const auto& house = _things.houses[i];
             const PlanRings& rings = house.building.rings;
             const glm::dvec2 middle = scenery::rectangleAround(rings.front()).middle;
-            faults.inWater += _waters.hold(middle) ? 1 : 0;
-            faults.onRunway += _runways.hold(middle) ? 1 : 0;
-            faults.floating += isFloating(house) ? 1 : 0;
+            _faults.inWater += _waters.hold(middle) ? 1 : 0;
+            _faults.onRunway += _runways.hold(middle) ? 1 : 0;
+            _faults.floating += isFloating(house) ? 1 : 0;
             const MapBox box = boxOf(rings.front());
             const double area = scenery::areaOf(rings);
             grid.near(box,
@@ -123,7 +123,7 @@ private:
                           const double most =
                               std::max(kMostOverlapM2, kMostOverlap * std::min(area, scenery::areaOf(its)));
                           // The frames of placement and of the scene differ by less than a hundredth.
-                          if (commonAreaOf(rings, its) > 1.05 * most) ++faults.overlapping;
+                          if (commonAreaOf(rings, its) > 1.05 * most) ++_faults.overlapping;
                       });
             grid.add(i, box);
         }
@@ -152,12 +152,12 @@ private:
     {
         for (const glm::dvec2& place : _things.plants)
         {
-            faults.inWater += _waters.hold(place) ? 1 : 0;
-            faults.onRunway += _runways.hold(place) ? 1 : 0;
-            faults.overlapping += _houses.hold(place) ? 1 : 0;
+            _faults.inWater += _waters.hold(place) ? 1 : 0;
+            _faults.onRunway += _runways.hold(place) ? 1 : 0;
+            _faults.overlapping += _houses.hold(place) ? 1 : 0;
             const auto ground = _things.groundM(place);
-            faults.floating += ground ? 0 : 1;
-            if (ground && _things.roads && isOnLanes(glm::dvec3(place, *ground))) ++faults.onRoad;
+            _faults.floating += ground ? 0 : 1;
+            if (ground && _things.roads && isOnLanes(glm::dvec3(place, *ground))) ++_faults.onRoad;
         }
     }
 
@@ -177,7 +177,7 @@ private:
         {
             const auto& road = roads.road(i);
             if (!road.isUsable) continue;
-            if (road.junctionId.empty()) faults.roadsKm += 1e-3 * road.length;
+            if (road.junctionId.empty()) _faults.roadsKm += 1e-3 * road.length;
             lookAtLanes(i);
             lookAtBed(i);
         }
@@ -189,8 +189,8 @@ private:
         const auto& road = _things.roads->road(index);
         for (const double s : osgRoads::core::evenStations(road.length, kLaneStepM))
         {
-            faults.maxGradePercent =
-                std::max(faults.maxGradePercent, 100.0 * std::abs(road.elevation.slope(s)));
+            _faults.maxGradePercent =
+                std::max(_faults.maxGradePercent, 100.0 * std::abs(road.elevation.slope(s)));
             if (isInTunnel(road, s)) continue;
             const auto lanes = osgRoads::core::extentAt(road, s);
             for (const double t : {lanes.rightT, 0.5 * (lanes.rightT + lanes.leftT), lanes.leftT})
@@ -216,8 +216,8 @@ private:
                 floating.sM = s, floating.byM = gapM, floating.place = place;
             if (-gapM > std::max(kMostCoverM, sunk.byM)) sunk.sM = s, sunk.byM = -gapM, sunk.place = place;
         }
-        faults.floatingRoads += noted(floating) ? 1 : 0;
-        faults.sunkRoads += noted(sunk) ? 1 : 0;
+        _faults.floatingRoads += noted(floating) ? 1 : 0;
+        _faults.sunkRoads += noted(sunk) ? 1 : 0;
     }
 
     /// Notes a fault, if it is one, with the road beside it.
@@ -237,14 +237,14 @@ private:
             fault.otherHigherM = higherM;
             break;
         }
-        faults.roadFaults.push_back(fault);
+        _faults.roadFaults.push_back(fault);
         return true;
     }
 
     const WorldThings& _things;
     Outlines _houses, _waters, _runways;
     std::set<std::size_t> _housesOnRoads;
-    WorldFaults faults;
+    WorldFaults _faults;
 };
 
 } // namespace

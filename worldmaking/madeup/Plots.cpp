@@ -139,10 +139,17 @@ void park(const glm::dvec2& place, const glm::dvec2& ahead, HouseBuilder& builde
                                         {"seed", std::to_string(1 + dice.below(isVan ? 1 : 2))}}));
 }
 
-/// What belongs to a house: a car beside it or cars before it, trees behind it.
-void furnish(const PlannedHouse& house, const glm::dvec2& middle, const glm::dvec2& along,
-             const glm::dvec2& out, HouseBuilder& builder, Dice& dice, MadeShapes& shapes)
+/// Where a house stands: its middle, the way along its street, and the way from the street.
+struct HousePlace
 {
+    glm::dvec2 middle, along, out;
+};
+
+/// What belongs to a house: a car beside it or cars before it, trees behind it.
+void furnish(const PlannedHouse& house, const HousePlace& place, HouseBuilder& builder, Dice& dice,
+             MadeShapes& shapes)
+{
+    const auto& [middle, along, out] = place;
     const std::string_view kind = house.kind;
     const double frontM = 0.5 * house.depthM; // from the middle to the wall at the street
     if (kind == "house" && dice.chance(0.5))
@@ -257,7 +264,7 @@ MadeShapes housesAlong(const Settlement& settlement, int number, const PlotRules
                                                          {"seed", std::to_string(1 + dice.below(3))}}));
                 else
                     shapes.push_back(areaShape(rings, tagsOfHouse(wanted, dice)));
-                furnish(wanted, middle, along, out, street, dice, shapes);
+                furnish(wanted, {middle, along, out}, street, dice, shapes);
                 if (std::string_view(wanted.kind) == "house" && dice.chance(0.35))
                 {
                     const PlanRings shed = rectangleOf(middle + (0.5 * wanted.depthM + 7.0) * out +

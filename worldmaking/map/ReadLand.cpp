@@ -273,7 +273,8 @@ void tagsOfClass(LandShape& shape)
         set("waterway", word);
     else if (isOneOf(word, {"water", "reservoir", "river", "dock", "riverbank"}))
         set("natural", "water");
-    else if (isOneOf(word, {"wetland", "glacier", "beach", "cliff", "tree", "peak", "spring"}))
+    else if (isOneOf(word,
+                     {"wetland", "glacier", "beach", "cliff", "tree", "peak", "spring", "scrub", "heath"}))
         set("natural", word);
     else if (isOneOf(word, {"rail", "light_rail", "narrow_gauge", "tram", "funicular", "subway"}))
         set("railway", word);
@@ -281,8 +282,6 @@ void tagsOfClass(LandShape& shape)
                             "residential", "industrial", "commercial", "retail", "cemetery", "allotments",
                             "quarry", "military", "farmyard"}))
         set("landuse", word == "farm" ? "farmland" : word);
-    else if (isOneOf(word, {"scrub", "heath"}))
-        set("natural", word);
     else if (isOneOf(word, {"park", "recreation_ground", "nature_reserve", "pitch"}))
         set("leisure", word);
     for (const char* key : {"bridge", "tunnel"})

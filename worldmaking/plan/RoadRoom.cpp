@@ -124,7 +124,7 @@ std::optional<PlanRings> RoadRoom::cutBack(PlanRings rings, double roomM, double
         if (!worst) return rings;
         for (auto& ring : rings)
             ring = cut(ring, half);
-        rings = scenery::tidiedRings(std::move(rings));
+        rings = scenery::tidiedRings(rings);
         if (rings.empty() || scenery::areaOf(rings) < leastShare * whole) return std::nullopt;
     }
     return std::nullopt;

@@ -168,6 +168,27 @@ Crossings crossingsOf(const AllWays& ways, std::size_t tracks, const LandMap& la
     return crossings;
 }
 
+/// Writes what crosses what, and what became of it, into the report.
+void countCrossings(const AllWays& ways, const Crossings& crossings, const StreetHeights& heights,
+                    StreetReport& report)
+{
+    report.overpasses = crossings.overpasses.size();
+    report.lostOverpasses = heights.lost.size();
+    report.overpassesLeftOpen = crossings.leftOpen.size();
+    report.tracks = ways.graph.chains.size() - crossings.tracks;
+    report.levelCrossings = crossings.levels.size();
+    report.bareTunnels = heights.bareTunnels.size();
+}
+
+std::string degreesText(const MapPlane& plane, const glm::dvec2& plan)
+{
+    const auto degrees = plane.toDegrees(plan);
+    if (!degrees) return "a place off the map";
+    char text[64];
+    std::snprintf(text, sizeof text, "%.5f, %.5f", degrees->y, degrees->x);
+    return text;
+}
+
 } // namespace
 
 foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation::HeightOnEarth& ground,
@@ -207,12 +228,7 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation:
     const Crossings crossings = crossingsOf(*ways, graph.chains.size(), land ? *land : noLand, *plane);
     const StreetHeights heights = heightsOf(ways->graph, ways->lines, cuts, crossings, height);
     report.closedWays = graph.closedWays;
-    report.overpasses = crossings.overpasses.size();
-    report.lostOverpasses = heights.lost.size();
-    report.overpassesLeftOpen = crossings.leftOpen.size();
-    report.tracks = ways->graph.chains.size() - crossings.tracks;
-    report.levelCrossings = crossings.levels.size();
-    report.bareTunnels = heights.bareTunnels.size();
+    countCrossings(*ways, crossings, heights, report);
     StreetNetwork network(used, graph, ways->lines, cuts, heights);
     network.build(streets.network, report);
     report.coveredCrossings = coverCrossings(streets.network, ways->graph, cuts, crossings, heights);
@@ -227,14 +243,7 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation:
     Footbridges footbridges = footbridgesOf({ways->graph, ways->places, ways->lines, cuts, heights,
                                              land ? *land : noLand, *plane, groundHeight, streetAt});
     streets.footbridges = std::move(footbridges.made);
-    const auto placeText = [&](const glm::dvec2& plan) -> std::string
-    {
-        const auto degrees = plane->toDegrees(plan);
-        if (!degrees) return "a place off the map";
-        char text[64];
-        std::snprintf(text, sizeof text, "%.5f, %.5f", degrees->y, degrees->x);
-        return text;
-    };
+    const auto placeText = [&](const glm::dvec2& plan) { return degreesText(*plane, plan); };
     report.notes = crossingNotes({ways->graph, ways->lines, cuts, crossings, heights, placeText,
                                   [&](std::size_t shape) { return land->shapes[shape].id; }});
     report.notes.insert(report.notes.end(), footbridges.notes.begin(), footbridges.notes.end());

@@ -99,6 +99,60 @@ struct FootLimit
     bool takesPier = true; ///< what passes there has no room for a pier
 };
 
+/// What the surface keeps above, and what it keeps below.
+struct FootLimits
+{
+    std::vector<FootLimit> least, most;
+};
+
+/// The course of a footbridge in pieces of 2.5 m at most.
+struct DeckCourse
+{
+    explicit DeckCourse(const FootLine& line) : points{line.points.front()}
+    {
+        for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+        {
+            const double lengthM = glm::distance(line.points[i], line.points[i + 1]);
+            if (lengthM < 1e-3)
+            {
+                nodes.push_back(points.size() - 1);
+                continue;
+            }
+            const int steps = std::max(1, static_cast<int>(std::ceil(lengthM / kFootStepM)));
+            const double startM = alongM.back();
+            for (int step = 1; step <= steps; ++step)
+            {
+                const double share = static_cast<double>(step) / steps;
+                points.push_back(glm::mix(line.points[i], line.points[i + 1], share));
+                alongM.push_back(startM + share * lengthM);
+            }
+            nodes.push_back(points.size() - 1);
+        }
+    }
+
+    /// The heights of a surface between two ends that keeps above limits, `grade` steep before and behind
+    /// them.
+    std::vector<double> surfaceM(const std::pair<double, double>& endsM, const std::vector<FootLimit>& least,
+                                 double grade) const
+    {
+        std::vector<double> heightsM;
+        for (const double s : alongM)
+        {
+            double heightM = std::lerp(endsM.first, endsM.second, s / alongM.back());
+            for (const FootLimit& limit : least)
+                heightM =
+                    std::max(heightM, limit.heightM -
+                                          grade * std::max(0.0, std::fabs(s - limit.alongM) - limit.halfM));
+            heightsM.push_back(heightM);
+        }
+        return heightsM;
+    }
+
+    std::vector<glm::dvec2> points;
+    std::vector<double> alongM{0.0};
+    std::vector<std::size_t> nodes{0}; ///< the points of the line
+};
+
 /// A piece of a footbridge that is made: its surface at both ends.
 struct MadeStretch
 {
@@ -226,54 +280,20 @@ private:
 
     void build(const FootLine& line)
     {
-        std::vector<glm::dvec2> points{line.points.front()};
-        std::vector<double> alongM{0.0};
-        std::vector<std::size_t> nodes{0};
-        for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
-        {
-            const double lengthM = glm::distance(line.points[i], line.points[i + 1]);
-            if (lengthM < 1e-3)
-            {
-                nodes.push_back(points.size() - 1);
-                continue;
-            }
-            const int steps = std::max(1, static_cast<int>(std::ceil(lengthM / kFootStepM)));
-            const double startM = alongM.back();
-            for (int step = 1; step <= steps; ++step)
-            {
-                const double share = static_cast<double>(step) / steps;
-                points.push_back(glm::mix(line.points[i], line.points[i + 1], share));
-                alongM.push_back(startM + share * lengthM);
-            }
-            nodes.push_back(points.size() - 1);
-        }
+        const DeckCourse course(line);
+        const auto& points = course.points;
         const auto startM = endM(line.keys.front(), points.front()),
                    lastM = endM(line.keys.back(), points.back());
         if (!startM || !lastM || points.size() < 2) return;
-        std::vector<FootLimit> least, most;
-        addLimits(line, least, most);
+        FootLimits limits = limitsOf(line);
         for (std::size_t i = 1; i + 1 < points.size(); ++i)
             if (const auto groundM = _from.ground(points[i]))
-                least.push_back({alongM[i], 0.0, *groundM + kOnGroundM, false});
-        const auto heightsAt = [&](double grade)
-        {
-            std::vector<double> heightsM;
-            for (const double s : alongM)
-            {
-                double heightM = std::lerp(*startM, *lastM, s / alongM.back());
-                for (const FootLimit& limit : least)
-                    heightM = std::max(heightM,
-                                       limit.heightM -
-                                           grade * std::max(0.0, std::fabs(s - limit.alongM) - limit.halfM));
-                heightsM.push_back(heightM);
-            }
-            return heightsM;
-        };
+                limits.least.push_back({course.alongM[i], 0.0, *groundM + kOnGroundM, false});
         std::vector<double> heightsM;
         std::array<std::optional<Footbridge>, 2> ramps;
         for (const double grade : kRamps)
         {
-            heightsM = heightsAt(grade);
+            heightsM = course.surfaceM({*startM, *lastM}, limits.least, grade);
             ramps = {rampFrom(line, false, heightsM.front(), *startM, grade),
                      rampFrom(line, true, heightsM.back(), *lastM, grade)};
             if (ramps[0] && ramps[1]) break;
@@ -284,17 +304,34 @@ private:
                      "its end stands " +
                          metres(isEnd ? heightsM.back() - *lastM : heightsM.front() - *startM) +
                          " above the ground: there is no room for a ramp; give it stairs (highway=steps)");
+        noteCrossings(line, course, heightsM, limits.most);
+        keep(line, course, heightsM, piersOf(course.alongM.back(), limits.least));
+        for (auto& ramp : ramps)
+            if (ramp && !ramp->points.empty()) made.made.push_back(std::move(*ramp));
+    }
+
+    /// Notes what crosses above too low.
+    void noteCrossings(const FootLine& line, const DeckCourse& course, const std::vector<double>& heightsM,
+                       const std::vector<FootLimit>& most)
+    {
         for (const FootLimit& limit : most)
-            for (std::size_t i = 0; i < alongM.size(); ++i)
-                if (std::fabs(alongM[i] - limit.alongM) < kFootStepM && heightsM[i] > limit.heightM + 0.4)
+            for (std::size_t i = 0; i < course.alongM.size(); ++i)
+                if (std::fabs(course.alongM[i] - limit.alongM) < kFootStepM &&
+                    heightsM[i] > limit.heightM + 0.4)
                 {
-                    note(line, points[i],
+                    note(line, course.points[i],
                          "passes too close under what crosses it: by " + metres(heightsM[i] - limit.heightM) +
                              "; give it a lower layer's course");
                     break;
                 }
-        Footbridge bridge{line.way, false, points, heightsM, line.widthM, {}};
-        bridge.piersM = piersOf(alongM.back(), least);
+    }
+
+    /// Adds a bridge to those that are made, which others join and pass over.
+    void keep(const FootLine& line, const DeckCourse& course, const std::vector<double>& heightsM,
+              std::vector<double> piersM)
+    {
+        const auto& points = course.points;
+        const auto& nodes = course.nodes;
         for (std::size_t i = 0; i < nodes.size(); ++i)
             _decks.try_emplace(line.keys[i], heightsM[nodes[i]]);
         for (std::size_t i = 0, stretch = 0; i + 1 < points.size(); ++i)
@@ -306,9 +343,9 @@ private:
                                   glm::dvec3(points[i + 1], heightsM[i + 1]), line.levels[stretch],
                                   0.5 * line.widthM});
         }
+        Footbridge bridge{line.way, false, points, heightsM, line.widthM, {}};
+        bridge.piersM = std::move(piersM);
         made.made.push_back(std::move(bridge));
-        for (auto& ramp : ramps)
-            if (ramp && !ramp->points.empty()) made.made.push_back(std::move(*ramp));
     }
 
     double heightOf(std::size_t chain, double alongM) const
@@ -318,29 +355,30 @@ private:
     }
 
     /// What the surface keeps from streets, railways, paths and water.
-    void addLimits(const FootLine& line, std::vector<FootLimit>& least, std::vector<FootLimit>& most) const
+    FootLimits limitsOf(const FootLine& line) const
     {
+        FootLimits limits;
         double startM = 0.0;
         for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
         {
             const glm::dvec2 from = line.points[i], to = line.points[i + 1];
             const double lengthM = glm::distance(from, to);
             const auto take = [&](const PlanPiece& piece, const glm::dvec2& shares) {
-                addWay(line.levels[i], piece, shares, {from, to}, startM, least, most);
+                addWay(line.levels[i], piece, shares, {from, to}, startM, limits);
             };
             _pieces.crossing(from, to, take);
-            const auto look = [&](std::size_t other) { addOther(line, i, other, startM, least); };
+            const auto look = [&](std::size_t other) { addOther(line, i, other, startM, limits.least); };
             _grid.near({glm::min(from, to), glm::max(from, to)}, look);
             const auto lookAbove = [&](std::size_t below)
-            { addMade(line, i, _stretches[below], startM, least); };
+            { addMade(line, i, _stretches[below], startM, limits.least); };
             _madeGrid.near({glm::min(from, to), glm::max(from, to)}, lookAbove);
             startM += lengthM;
         }
+        return limits;
     }
 
     void addWay(const WayLevel& level, const PlanPiece& piece, const glm::dvec2& shares,
-                const std::pair<glm::dvec2, glm::dvec2>& stretch, double startM,
-                std::vector<FootLimit>& least, std::vector<FootLimit>& most) const
+                const std::pair<glm::dvec2, glm::dvec2>& stretch, double startM, FootLimits& limits) const
     {
         const StreetTraits& traits = _from.graph.traitsAt(_from.graph.chains[piece.chain], piece.piece);
         const int above = aboveOf(level, traits.level());
@@ -354,10 +392,10 @@ private:
         const double alongM = startM + shares.y * glm::length(way);
         if (above < 0)
         {
-            most.push_back({alongM, halfM, heightM - footbridgeBelowM(traits)});
+            limits.most.push_back({alongM, halfM, heightM - footbridgeBelowM(traits)});
             return;
         }
-        least.push_back({alongM, halfM, heightM + footbridgeAboveM(traits)});
+        limits.least.push_back({alongM, halfM, heightM + footbridgeAboveM(traits)});
     }
 
     /// Paths and water below.

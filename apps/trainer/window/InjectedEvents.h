@@ -18,9 +18,9 @@ class InjectedEvents
 {
 public:
     /// `script`: in the order of time. `vehicle`: whose keys a simulated hand presses.
-    InjectedEvents(osg::ref_ptr<osgViewer::GraphicsWindow> window, std::vector<WindowEvent> script,
+    InjectedEvents(const osg::ref_ptr<osgViewer::GraphicsWindow>& window, std::vector<WindowEvent> script,
                    KeyScope vehicle)
-        : _window(std::move(window)), _script(std::move(script)), _hand(vehicle)
+        : _window(window), _script(std::move(script)), _hand(vehicle)
     {
     }
 

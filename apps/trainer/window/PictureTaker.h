@@ -25,7 +25,7 @@ public:
     void ask() { _isAsked = true; }
 
     /// Where the cameras draw; null: into the window.
-    void readFrom(osg::ref_ptr<WindowBuffer> buffer) { _buffer = std::move(buffer); }
+    void readFrom(const osg::ref_ptr<WindowBuffer>& buffer) { _buffer = buffer; }
 
     /// What became of the last one, once: its file, or why there is none.
     std::optional<std::string> takeNote();

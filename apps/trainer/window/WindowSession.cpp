@@ -73,8 +73,8 @@ void WindowSession::look(double wallS)
     _rig->setEye(eye);
     _play.follow(eye.positionWorld);
     if (_interior)
-        _interior->update(_play, _live->player(), _live->shown(), motionOfOwnship(), eye, *_rig,
-                          _request.window.pictureS > 0.0 ? MirrorPace::all : MirrorPace::one);
+        _interior->update(_play, _live->player(), _live->shown(), motionOfOwnship(),
+                          {eye, *_rig, _request.window.pictureS > 0.0 ? MirrorPace::all : MirrorPace::one});
 }
 
 void WindowSession::afterEvents()

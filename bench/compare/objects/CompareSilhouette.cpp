@@ -132,7 +132,7 @@ void addDifference(Json& row, const SimplifiedLevel& level, const core::ImageDif
     row["ms"] = level.ms;
 }
 
-std::vector<std::size_t> facesOfTargets(std::vector<double> percents, std::size_t faces)
+std::vector<std::size_t> facesOfTargets(const std::vector<double>& percents, std::size_t faces)
 {
     std::vector<std::size_t> targets;
     for (const double percent : percents)

@@ -50,7 +50,7 @@ core::Mesh facesOf(const core::Mesh& mesh, std::uint32_t material)
 
 /// Simplifies the faces of one material and puts what is left into the level. Returns the time it took, in
 /// milliseconds.
-foundation::Result<double> simplifyMaterial(core::Mesh some, std::uint32_t material,
+foundation::Result<double> simplifyMaterial(const core::Mesh& some, std::uint32_t material,
                                             osgUtil::Simplifier& simplifier, core::MeshBuilder& level)
 {
     if (some.faces.empty()) return 0.0;

@@ -40,8 +40,8 @@ inline std::optional<const char*> wideEncodingOf(std::string_view text)
 inline std::optional<std::string> toUtf8(std::string_view text, const char* encoding, int* line = nullptr)
 {
     if (line) *line = 0;
-    const iconv_t converter = iconv_open("UTF-8", encoding);
-    if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
+    const iconv_t converter = iconv_open("UTF-8", encoding);             // -1: there is no such encoding
+    if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt; // NOLINT(performance-no-int-to-ptr)
     std::string result;
     std::string input(text);
     char* from = input.data();

@@ -16,8 +16,8 @@ namespace
 class InstanceNode : public osg::Transform
 {
 public:
-    InstanceNode(const core::Field& field, std::uint32_t object, osg::ref_ptr<const FieldMesh> mesh)
-        : _mesh(std::move(mesh)), _number(field.numberOf(object)), _sphere(roundedUp(field.spheres()[object]))
+    InstanceNode(const core::Field& field, std::uint32_t object, const osg::ref_ptr<const FieldMesh>& mesh)
+        : _mesh(mesh), _number(field.numberOf(object)), _sphere(roundedUp(field.spheres()[object]))
     {
         const core::FieldObject& placed = field.objects()[object];
         const glm::dquat& q = placed.attitude;

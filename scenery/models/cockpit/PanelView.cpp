@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <foundation/Angle.h>
+#include <glm/common.hpp>
 
 namespace scenery::models
 {

@@ -36,9 +36,18 @@ void addPlateAhead(ModelBuilder& builder, double x, const glm::dvec2& yz, const 
         {x + 0.015, yz.x + 0.5 * size.x, yz.y + 0.5 * size.y});
 }
 
-void addLampPair(ModelBuilder& builder, EntityModel& model, EntityLamp::Kind left, EntityLamp::Kind right,
-                 const glm::dvec3& at, const glm::dvec2& size, bool looksAhead)
+/// Two lamps, one on each side; `at`: the left one's middle.
+struct LampPair
 {
+    EntityLamp::Kind left, right;
+    glm::dvec3 at;
+    glm::dvec2 size;
+    bool looksAhead;
+};
+
+void addLampPair(ModelBuilder& builder, EntityModel& model, const LampPair& pair)
+{
+    const auto& [left, right, at, size, looksAhead] = pair;
     for (const double side : {1.0, -1.0})
     {
         const glm::dvec3 middle(at.x, side * at.y, at.z);
@@ -84,10 +93,14 @@ void addCab(ModelBuilder& builder, EntityModel& model, const EntityShape& shape)
     builder.begin("bumper", kPlain, kChassis);
     box(builder, {front - 0.3, -half, low - 0.22}, {front + 0.03, half, low + 0.02});
     builder.begin("head lamps", kPlain, kLens);
-    addLampPair(builder, model, Lamp::head, Lamp::head, {front + 0.005, 0.76 * half, low + 0.14},
-                {0.34, 0.16}, true);
-    addLampPair(builder, model, Lamp::indicatorLeft, Lamp::indicatorRight,
-                {front + 0.005, 0.62 * half, low + 0.30}, {0.12, 0.08}, true);
+    addLampPair(builder, model,
+                {Lamp::head, Lamp::head, {front + 0.005, 0.76 * half, low + 0.14}, {0.34, 0.16}, true});
+    addLampPair(builder, model,
+                {Lamp::indicatorLeft,
+                 Lamp::indicatorRight,
+                 {front + 0.005, 0.62 * half, low + 0.30},
+                 {0.12, 0.08},
+                 true});
     builder.begin("mirrors", kPlain, kChassis);
     for (const double side : {1.0, -1.0})
     {
@@ -123,11 +136,12 @@ void addTail(ModelBuilder& builder, EntityModel& model, const EntityShape& shape
     builder.begin("rear beam", kPlain, kChassis);
     box(builder, {back, -0.95 * half, z - 0.12}, {back + 0.1, 0.95 * half, z + 0.12});
     builder.begin("tail lamps", kPlain, kRed);
-    addLampPair(builder, model, Lamp::tail, Lamp::tail, {back, 0.82 * half, z - 0.04}, {0.22, 0.07}, false);
-    addLampPair(builder, model, Lamp::brake, Lamp::brake, {back, 0.82 * half, z + 0.05}, {0.22, 0.07}, false);
+    addLampPair(builder, model, {Lamp::tail, Lamp::tail, {back, 0.82 * half, z - 0.04}, {0.22, 0.07}, false});
+    addLampPair(builder, model,
+                {Lamp::brake, Lamp::brake, {back, 0.82 * half, z + 0.05}, {0.22, 0.07}, false});
     builder.begin("rear indicators", kPlain, {0.75F, 0.38F, 0.05F});
-    addLampPair(builder, model, Lamp::indicatorLeft, Lamp::indicatorRight, {back, 0.62 * half, z},
-                {0.12, 0.10}, false);
+    addLampPair(builder, model,
+                {Lamp::indicatorLeft, Lamp::indicatorRight, {back, 0.62 * half, z}, {0.12, 0.10}, false});
 }
 
 void addCargo(ModelBuilder& builder, const EntityShape& shape, double fromXM, double toXM)

@@ -90,7 +90,7 @@ private:
     std::vector<GridTriangle> _leaves;
 };
 
-nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, const Subject& subject)
+nlohmann::ordered_json rowOf(const BenchRun& run, const Totals& totals, const Subject& subject)
 {
     const auto frames = static_cast<double>(totals.frameUs.size());
     const auto per = [](double sum, double count) { return count > 0.0 ? sum / count : 0.0; };
@@ -158,7 +158,7 @@ foundation::Result<nlohmann::ordered_json> measure(const BenchRun& run, const Fr
         if (!sink) continue;
         if (const auto taken = sink(frame, view, drawn); !taken) return taken.error();
     }
-    return rowOf(run, std::move(totals), subject);
+    return rowOf(run, totals, subject);
 }
 
 } // namespace terraintool

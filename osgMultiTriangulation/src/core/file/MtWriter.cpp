@@ -76,7 +76,7 @@ EncodedTree encodedTree(const TreeRecord& record, std::uint32_t parent, double h
 }
 
 foundation::Outcome
-writeMtFile(const std::filesystem::path& path, MtInfo info, std::vector<MtEntry> entries,
+writeMtFile(const std::filesystem::path& path, const MtInfo& info, std::vector<MtEntry> entries,
             const std::function<foundation::Result<std::vector<std::byte>>(std::uint32_t)>& bytesOf)
 {
     std::string directory;

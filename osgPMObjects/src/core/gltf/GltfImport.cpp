@@ -27,6 +27,7 @@ namespace
 using ImageFiles = std::map<int, std::string>;
 
 /// Accepts all images, and keeps their files: one that cannot be decoded is no reason to refuse the model.
+// NOLINTNEXTLINE(readability-function-size): the parameters are tinygltf's
 bool loadImage(tinygltf::Image* image, const int number, std::string*, std::string*, int width, int height,
                const unsigned char* bytes, int size, void* files)
 {

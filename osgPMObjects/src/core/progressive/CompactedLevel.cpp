@@ -81,7 +81,7 @@ public:
         std::partial_sum(_finestEnds.begin(), _finestEnds.end(), _finestEnds.begin());
         _groupEnds = _finestEnds;
         _indices.resize(3 * _faces.size());
-        moveTo(0);
+        IndexPass::moveTo(0);
     }
 
     /// Vanished faces are written, too, and the next face overwrites them: a branch could not be predicted.

@@ -89,6 +89,36 @@ double unfolded(double leftM, double t, double curvature)
     return std::copysign(std::min(std::fabs(leftM), room), leftM);
 }
 
+/// The lanes at one s, from right to left.
+std::vector<LaneSpan> spansAcross(const Road& road, const LaneSection& section, double s)
+{
+    std::vector<LaneSpan> spans;
+    const auto collect = [&](const LaneSpan& span)
+    {
+        spans.push_back(span);
+        return true;
+    };
+    forLanesOutwards(road, section, -1, s, collect);
+    std::reverse(spans.begin(), spans.end());
+    forLanesOutwards(road, section, 1, s, collect);
+    return spans;
+}
+
+/// Has the steps between lanes take their ends from their neighbours.
+void setSteps(const std::vector<Strip>& strips, std::vector<SectionPoint>& points)
+{
+    std::size_t first = 0;
+    for (const Strip& strip : strips)
+    {
+        if (strip.kind == SurfaceKind::kerb && !strip.lane)
+        {
+            points[first] = {points[first - 1].t, points[first - 1].h, 0.0, 0.0};
+            points[first + 1] = {points[first + 2].t, points[first + 2].h, 0.0, 0.0};
+        }
+        first += static_cast<std::size_t>(strip.columns);
+    }
+}
+
 } // namespace
 
 CrossSection::CrossSection(const Road& road, const LaneSection& section, const RoadBed& bed)
@@ -124,16 +154,7 @@ void CrossSection::addLane(const Lane& lane, int columns)
 
 void CrossSection::pointsAt(double s, std::vector<SectionPoint>& points) const
 {
-    std::vector<LaneSpan> spans;
-    const auto collect = [&](const LaneSpan& span)
-    {
-        spans.push_back(span);
-        return true;
-    };
-    forLanesOutwards(_road, _section, -1, s, collect);
-    std::reverse(spans.begin(), spans.end());
-    forLanesOutwards(_road, _section, 1, s, collect);
-
+    const std::vector<LaneSpan> spans = spansAcross(_road, _section, s);
     points.clear();
     std::size_t next = 0;
     for (const Strip& strip : _strips)
@@ -153,7 +174,7 @@ void CrossSection::pointsAt(double s, std::vector<SectionPoint>& points) const
         else
             points.insert(points.end(), 2, SectionPoint{});
     }
-    // Steps and verges take their ends from their neighbours.
+    // Verges take their ends from their neighbours.
     const double offset = _road.laneOffset.value(s);
     const auto edge = [&](bool isLeft)
     {
@@ -179,16 +200,7 @@ void CrossSection::pointsAt(double s, std::vector<SectionPoint>& points) const
     points[end - 3] = beside(left, _bed.vergeM, vergeFallM, _bed.vergeM, _bed.vergeM);
     points[end - 2] = beside(left, _bed.vergeM, vergeFallM, 0.0, run);
     points[end - 1] = beside(left, outM, downM, run, run);
-    std::size_t first = 0;
-    for (const Strip& strip : _strips)
-    {
-        if (strip.kind == SurfaceKind::kerb && !strip.lane)
-        {
-            points[first] = {points[first - 1].t, points[first - 1].h, 0.0, 0.0};
-            points[first + 1] = {points[first + 2].t, points[first + 2].h, 0.0, 0.0};
-        }
-        first += static_cast<std::size_t>(strip.columns);
-    }
+    setSteps(_strips, points);
 }
 
 } // namespace osgRoads::core

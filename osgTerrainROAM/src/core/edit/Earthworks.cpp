@@ -238,7 +238,8 @@ struct Earthworks::Works
     }
 };
 
-Earthworks::Earthworks(std::vector<Earthwork> works, double flatM, const foundation::HeightInPlan& ground)
+Earthworks::Earthworks(const std::vector<Earthwork>& works, double flatM,
+                       const foundation::HeightInPlan& ground)
     : _works(std::make_unique<Works>())
 {
     _works->flatM = flatM;

@@ -100,8 +100,9 @@ private:
             ++set.invalid;
             return;
         }
-        shape.point = _placer.placed(vertex.x, vertex.y);
-        keep(std::move(shape), {shape.point});
+        const glm::dvec2 place = _placer.placed(vertex.x, vertex.y);
+        shape.point = place;
+        keep(std::move(shape), {place});
     }
 
     void addArea(const OGRPolygon& polygon, MapShape shape, OGRCoordinateTransformation* toWgs84)

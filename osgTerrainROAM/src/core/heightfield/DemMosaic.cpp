@@ -29,14 +29,21 @@ void sortForLaying(std::vector<MosaicSource>& sources)
                      [&](const MosaicSource& a, const MosaicSource& b) { return rank(a) > rank(b); });
 }
 
-/// Lays on a rectangle of a grid all rasters that are no finer than it, or `all`.
-Result<Raster> painted(const GridReference& grid, const GridRect& rect, double spacingM,
-                       const std::vector<MosaicSource>& sources, bool all, GdalSession& gdal,
-                       MosaicReport& report)
+/// What rasters are laid on: a rectangle of a grid.
+struct MosaicGround
 {
-    MosaicCanvas canvas(grid, rect, spacingM, sources.front().spacingM);
+    GridReference grid;
+    GridRect rect;
+    double spacingM;
+    bool takesFiner; ///< than the grid
+};
+
+Result<Raster> painted(const MosaicGround& ground, const std::vector<MosaicSource>& sources,
+                       GdalSession& gdal, MosaicReport& report)
+{
+    MosaicCanvas canvas(ground.grid, ground.rect, ground.spacingM, sources.front().spacingM);
     for (const MosaicSource& source : sources)
-        if (all || !isFinerThanGrid(source.spacingM, spacingM))
+        if (ground.takesFiner || !isFinerThanGrid(source.spacingM, ground.spacingM))
             if (const Outcome added = canvas.add(source, gdal, report); !added) return added.error();
     return std::move(canvas).release();
 }
@@ -47,8 +54,9 @@ Result<DensePart> partOf(const MosaicPlan& plan, const PlannedPart& planned,
     const auto onPart = [&](int cell) { return cell << planned.exponent; };
     const GridRect& cells = planned.cells;
     const GridRect rect{onPart(cells.west), onPart(cells.south), onPart(cells.east), onPart(cells.north)};
-    auto raster = painted(scaled(plan.grid, -planned.exponent), rect,
-                          std::ldexp(plan.spacingM, -planned.exponent), sources, false, gdal, report);
+    auto raster = painted(
+        {scaled(plan.grid, -planned.exponent), rect, std::ldexp(plan.spacingM, -planned.exponent), false},
+        sources, gdal, report);
     if (!raster) return raster.error();
     fillOutside(raster->heightsM, raster->isOutside, raster->columns, raster->rows);
     fillVoids(raster->heightsM, raster->columns, raster->rows);
@@ -70,7 +78,7 @@ Result<Raster> readMosaic(std::span<const std::filesystem::path> files, const De
     sortForLaying(*sources);
     const auto plan = planMosaic(*sources, gdal);
     if (!plan) return plan.error();
-    auto joined = painted(plan->grid, plan->rect, plan->spacingM, *sources, true, gdal, report);
+    auto joined = painted({plan->grid, plan->rect, plan->spacingM, true}, *sources, gdal, report);
     if (!joined) return joined.error();
     for (const PlannedPart& planned : plan->parts)
     {

@@ -166,9 +166,9 @@ void QueueDriver::merge(Frame& frame, VertexSlot v)
 }
 
 bool QueueDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, const viewlod::Sight& sight,
-                         double tolerancePx, std::uint32_t maxLeaves, viewlod::Slice& slice,
-                         RefineResult& result)
+                         const viewlod::Budget& ofLeaves, viewlod::Slice& slice, RefineResult& result)
 {
+    const double tolerancePx = ofLeaves.errorTolerancePx;
     Frame frame{tree, view, sight, ActiveForEye(view, tolerancePx), tolerancePx, slice, result};
     Seen seen{view.eyeWorld, view.guaranteedPixelsPerTangent(), view.nearM, tolerancePx, sight};
     if (!_knowsTree)
@@ -185,14 +185,12 @@ bool QueueDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, cons
         const double spared = worst ? worst->priorityPx : std::numeric_limits<double>::infinity();
         result.tolerancePx = std::max(tolerancePx, wanted * (wanted > tolerancePx ? kPriorityRounding : 1.0));
         if (slice.isSpent()) return false;
-        if (spared <= tolerancePx || tree.leafCount() > maxLeaves)
-            merge(frame, worst->vertex);
-        else if (wanted <= tolerancePx)
-            return true;
-        else if (tree.hasRoomToSplit(best->triangle, maxLeaves))
+        const bool mustMerge = spared <= tolerancePx || tree.leafCount() > ofLeaves.maxTriangles;
+        const bool isWanted = !mustMerge && wanted > tolerancePx;
+        if (isWanted && tree.hasRoomToSplit(best->triangle, ofLeaves.maxTriangles))
             split(frame, best->triangle);
-        else if (spared < wanted)
-            merge(frame, worst->vertex); // makes room
+        else if (mustMerge || (isWanted && spared < wanted)) // the latter makes room
+            merge(frame, worst->vertex);
         else
             return true;
     }

@@ -124,11 +124,9 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
     viewlod::Budget budget = ofTriangles;
     budget.maxTriangles = std::max(budget.maxTriangles >> patchExponent(), 2u); // the roots
     viewlod::Slice slice(budget);
-    const double targetPx = budget.errorTolerancePx;
     if (_driver == Driver::queue)
     {
-        result.sliceBound =
-            !_queues.refine(_tree, view, _sight, targetPx, budget.maxTriangles, slice, result);
+        result.sliceBound = !_queues.refine(_tree, view, _sight, budget, slice, result);
     }
     else
     {
@@ -139,7 +137,7 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
         result.errorBoundPx = _wheel.errorBoundPx(view, result.tolerancePx);
     else if (result.sliceBound)
         result.errorBoundPx = std::numeric_limits<double>::infinity();
-    _ceilingBound = result.tolerancePx > targetPx;
+    _ceilingBound = result.tolerancePx > budget.errorTolerancePx;
     result.ceilingBound = _ceilingBound && !result.sliceBound;
     _lastTolerancePx = result.tolerancePx;
     finish(result);

@@ -89,7 +89,7 @@ EncodedTree encodedTree(const TreeRecord& record, std::uint32_t parent, double h
 /// the bytes of a tree, asked for once each, in order. Errors: no such folder, no permission, no room; what
 /// `bytesOf` returns.
 foundation::Outcome
-writeMtFile(const std::filesystem::path& file, MtInfo info, std::vector<MtEntry> entries,
+writeMtFile(const std::filesystem::path& file, const MtInfo& info, std::vector<MtEntry> entries,
             const std::function<foundation::Result<std::vector<std::byte>>(std::uint32_t)>& bytesOf);
 
 } // namespace osgMultiTriangulation::core

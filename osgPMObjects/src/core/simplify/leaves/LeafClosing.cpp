@@ -33,8 +33,8 @@ LeafClosing closingOf(const LeafCard& card, bool isTurned)
         closing.steps.push_back(best);
         gone |= 1u << best.from;
     }
-    for (std::uint8_t c = 0; c < card.corners.size(); ++c)
-        if ((gone >> c & 1u) == 0) closing.left.push_back(c);
+    for (std::size_t c = 0; c < card.corners.size(); ++c)
+        if ((gone >> c & 1u) == 0) closing.left.push_back(static_cast<std::uint8_t>(c));
     return closing;
 }
 

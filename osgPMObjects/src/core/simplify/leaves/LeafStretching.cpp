@@ -24,12 +24,12 @@ std::uint8_t sameCorner(const CollapseState& state, const LeafCard& card, const 
     const glm::dvec3 off = state.positions[other.corners[corner].position];
     std::uint8_t best = LeafGrowth::kOwn;
     double least = std::numeric_limits<double>::infinity();
-    for (std::uint8_t c = 0; c < card.corners.size(); ++c)
+    for (std::size_t c = 0; c < card.corners.size(); ++c)
     {
         if (!looksTheSame(state, card.corners[c], other.corners[corner])) continue;
         const glm::dvec3 away = state.positions[card.corners[c].position] - off;
         const double squared = glm::dot(away, away);
-        if (squared < least) least = squared, best = c;
+        if (squared < least) least = squared, best = static_cast<std::uint8_t>(c);
     }
     return best;
 }

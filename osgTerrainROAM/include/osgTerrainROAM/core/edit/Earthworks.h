@@ -44,7 +44,7 @@ public:
     /// `flatM`: beds are wider by this much, so that triangles across their edges are level. `ground` tells
     /// how far the slopes reach, kFarthestM at most. Works with too few points, or without heights, count as
     /// none.
-    Earthworks(std::vector<Earthwork> works, double flatM, const foundation::HeightInPlan& ground);
+    Earthworks(const std::vector<Earthwork>& works, double flatM, const foundation::HeightInPlan& ground);
     ~Earthworks();
     Earthworks(Earthworks&&) noexcept;
     Earthworks& operator=(Earthworks&&) noexcept;

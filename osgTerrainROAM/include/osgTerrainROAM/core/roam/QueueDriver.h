@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <viewlod/Budget.h>
 #include <viewlod/Sight.h>
 #include <viewlod/Slice.h>
 #include <viewlod/ViewState.h>
@@ -36,11 +37,11 @@ public:
     /// Has all priorities computed anew in the next refinement, because bounds have changed.
     void recheck() { _isFresh = false; }
 
-    /// Splits triangles above the tolerance while there is room; merges diamonds below it, or of least
-    /// priority to make room. What is out of sight has no priority. Writes the tolerance reached into the
-    /// result. Returns false when the slice ended before.
+    /// Splits triangles above the tolerance of `ofLeaves` while there is room; merges diamonds below it, or
+    /// of least priority to make room. What is out of sight has no priority. Writes the tolerance reached
+    /// into the result. Returns false when the slice ended before.
     bool refine(DiamondTree& tree, const viewlod::ViewState& view, const viewlod::Sight& sight,
-                double tolerancePx, std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result);
+                const viewlod::Budget& ofLeaves, viewlod::Slice& slice, RefineResult& result);
 
     std::size_t memoryBytes() const;
 
