@@ -18,6 +18,7 @@
 #include "worldmaking/streets/CrossingNotes.h"
 #include "worldmaking/streets/FootLevels.h"
 #include "worldmaking/streets/ImpliedBridges.h"
+#include "worldmaking/streets/OpenTunnels.h"
 #include "worldmaking/streets/Overpass.h"
 #include "worldmaking/streets/StreetHeights.h"
 #include "worldmaking/streets/StreetNetwork.h"
@@ -189,6 +190,59 @@ std::string degreesText(const MapPlane& plane, const glm::dvec2& plan)
     return text;
 }
 
+/// Streets and railways with what is found of them.
+struct FittedWays
+{
+    AllWays ways;
+    std::vector<ChainCut> cuts;
+    Crossings crossings;
+    StreetHeights heights;
+};
+
+/// What heights are fitted to.
+struct WaySources
+{
+    const StreetMap& map;
+    const LandMap& land;
+    const std::vector<glm::dvec2>& places; ///< of the map's nodes
+    const GeoReference& reference;
+    const MapPlane& plane;
+    const foundation::HeightOnEarth& ground;
+    const foundation::HeightInPlan& height;
+};
+
+foundation::Result<FittedWays> fittedWays(const WaySources& from, const StreetGraph& graph)
+{
+    auto ways = allWays(from.map, graph, from.land, from.reference, from.ground, from.height);
+    if (!ways) return ways.error();
+    FittedWays fitted;
+    fitted.ways = std::move(*ways);
+    fitted.cuts = mouthsOf(graph, linesOf(graph, from.places));
+    fitted.cuts.resize(fitted.ways.graph.chains.size());
+    fitted.crossings = crossingsOf(fitted.ways, graph.chains.size(), from.land, from.plane);
+    fitted.heights =
+        heightsOf(fitted.ways.graph, fitted.ways.lines, fitted.cuts, fitted.crossings, from.height);
+    return fitted;
+}
+
+/// Fits the heights of all ways; again, where short tunnels without a hill have no room for ramps.
+/// `opened`: so many of them.
+foundation::Result<FittedWays> fittedWithOpened(const WaySources& from, StreetGraph& graph,
+                                                std::size_t& opened)
+{
+    constexpr int kMostRounds = 3; // what is opened gives others room, or takes it
+    auto fitted = fittedWays(from, graph);
+    for (int round = 0; fitted && round < kMostRounds; ++round)
+    {
+        const std::size_t more = openBareTunnels(
+            graph, {fitted->ways.lines, fitted->cuts, fitted->crossings, fitted->heights}, from.height);
+        if (more == 0) break;
+        opened += more;
+        fitted = fittedWays(from, graph);
+    }
+    return fitted;
+}
+
 } // namespace
 
 foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation::HeightOnEarth& ground,
@@ -208,7 +262,7 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation:
     if (!reference) return reference.error();
     const auto places = placesOf(used, *reference);
     if (!places) return places.error();
-    const StreetGraph graph = graphOf(used, *places, kShortestChainM);
+    StreetGraph graph = graphOf(used, *places, kShortestChainM);
     if (graph.chains.empty())
         return foundation::Error{mapName, "there is no street for cars in it",
                                  "name an OpenStreetMap extract of the region"};
@@ -221,32 +275,35 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const foundation:
     const auto plane = MapPlane::create(streets.network.header, mapName);
     if (!plane) return plane.error();
     const LandMap noLand;
-    const auto ways = allWays(used, graph, land ? *land : noLand, *reference, ground, height);
-    if (!ways) return ways.error();
-    std::vector<ChainCut> cuts = mouthsOf(graph, linesOf(graph, *places));
-    cuts.resize(ways->graph.chains.size());
-    const Crossings crossings = crossingsOf(*ways, graph.chains.size(), land ? *land : noLand, *plane);
-    const StreetHeights heights = heightsOf(ways->graph, ways->lines, cuts, crossings, height);
-    report.closedWays = graph.closedWays;
-    countCrossings(*ways, crossings, heights, report);
-    StreetNetwork network(used, graph, ways->lines, cuts, heights);
-    network.build(streets.network, report);
-    report.coveredCrossings = coverCrossings(streets.network, ways->graph, cuts, crossings, heights);
-    report.impliedBridges = addImpliedBridges(streets.network);
-    const auto spans = trackSpans(ways->graph, cuts, crossings, heights);
-    const LaneSurface surface(streets.network);
     const foundation::HeightInPlan groundHeight = height;
+    std::size_t opened = 0;
+    const auto fitted = fittedWithOpened(
+        {used, land ? *land : noLand, *places, *reference, *plane, ground, groundHeight}, graph, opened);
+    if (!fitted) return fitted.error();
+    const auto& [ways, cuts, crossings, heights] = *fitted;
+    report.closedWays = graph.closedWays;
+    countCrossings(ways, crossings, heights, report);
+    StreetNetwork network(used, graph, ways.lines, cuts, heights);
+    network.build(streets.network, report);
+    report.coveredCrossings = coverCrossings(streets.network, ways.graph, cuts, crossings, heights);
+    report.impliedBridges = addImpliedBridges(streets.network);
+    const auto spans = trackSpans(ways.graph, cuts, crossings, heights);
+    const LaneSurface surface(streets.network);
     const StreetSurface streetAt = [&](const glm::dvec2& place, StreetPlace on, double nearM)
     { return surface.heightAt(place, on, nearM); };
     streets.tracks = tracksWithHeights(
-        {ways->graph, crossings.tracks, ways->lines, ways->places, heights, spans, groundHeight, streetAt});
-    Footbridges footbridges = footbridgesOf({ways->graph, ways->places, ways->lines, cuts, heights,
+        {ways.graph, crossings.tracks, ways.lines, ways.places, heights, spans, groundHeight, streetAt});
+    Footbridges footbridges = footbridgesOf({ways.graph, ways.places, ways.lines, cuts, heights,
                                              land ? *land : noLand, *plane, groundHeight, streetAt});
     streets.footbridges = std::move(footbridges.made);
     const auto placeText = [&](const glm::dvec2& plan) { return degreesText(*plane, plan); };
-    report.notes = crossingNotes({ways->graph, ways->lines, cuts, crossings, heights, placeText,
+    report.notes = crossingNotes({ways.graph, ways.lines, cuts, crossings, heights, placeText,
                                   [&](std::size_t shape) { return land->shapes[shape].id; }});
     report.notes.insert(report.notes.end(), footbridges.notes.begin(), footbridges.notes.end());
+    if (opened > 0)
+        report.notes.push_back(
+            std::to_string(opened) +
+            " short tunnels of streets have neither a hill nor room for ramps: they are open");
     return streets;
 }
 

@@ -168,6 +168,59 @@ TEST(Crossings, ATunnelBelowNothingIsDugInAndLayerAloneGoesBelow)
     EXPECT_TRUE(made.faults().empty());
 }
 
+namespace
+{
+
+/// A street with a tunnel in its middle, others joined so near to it that ramps have no room, and one over it
+/// if asked for.
+MadeMap passageMap(double tunnelM, const char* over = nullptr)
+{
+    const double halfM = 0.5 * tunnelM, joinM = halfM + 8.0;
+    MadeMap map;
+    const int a = map.node(-joinM, 0), b = map.node(-halfM, 0), c = map.node(halfM, 0),
+              d = map.node(joinM, 0);
+    map.way({map.node(-300, 0), a, b}, {{"highway", "residential"}});
+    map.way({b, c}, {{"highway", "residential"}, {"tunnel", "yes"}, {"layer", "-1"}});
+    map.way({c, d, map.node(300, 0)}, {{"highway", "residential"}});
+    map.way({map.node(-joinM, -200), a, map.node(-joinM, 200)}, {{"highway", "residential"}});
+    map.way({map.node(joinM, -200), d, map.node(joinM, 200)}, {{"highway", "residential"}});
+    if (over) map.way({map.node(0, -200), map.node(0, 200)}, {{"highway", over}});
+    return map;
+}
+
+std::size_t tunnelsOf(const MadeCrossing& made)
+{
+    std::size_t tunnels = 0;
+    for (const Road& road : made.streets.network.roads)
+        for (const auto& structure : road.structures)
+            tunnels += structure.kind == StructureKind::tunnel ? 1 : 0;
+    return tunnels;
+}
+
+} // namespace
+
+TEST(Crossings, AShortTunnelWithoutAHillOrRoomForRampsIsOpen)
+{
+    for (const double tunnelM : {4.0, 9.0, 16.0, 30.0, 44.0, 58.0})
+    {
+        const MadeCrossing made = crossingOf(passageMap(tunnelM));
+        EXPECT_EQ(tunnelsOf(made), 0u) << tunnelM;
+        EXPECT_TRUE(made.faults().empty()) << tunnelM;
+        EXPECT_EQ(made.streets.report.bareTunnels, 0u) << tunnelM;
+        for (const Road& road : made.streets.network.roads)
+            EXPECT_NEAR(lowestOf(road), 200.0, 0.1) << tunnelM;
+        EXPECT_NE(made.streets.report.notes.back().find("1 short tunnels of streets"), std::string::npos);
+    }
+}
+
+TEST(Crossings, ATunnelStaysWhereSomethingPassesOverItOrAHillCoversIt)
+{
+    EXPECT_EQ(tunnelsOf(crossingOf(passageMap(30.0, "secondary"))), 1u);
+    EXPECT_EQ(tunnelsOf(crossingOf(passageMap(90.0))), 1u) << "too long to be a passage";
+    const auto hill = [](double eastM, double) { return std::fabs(eastM) < 14.0 ? 215.0 : 200.0; };
+    EXPECT_EQ(tunnelsOf(crossingOf(passageMap(30.0), hill)), 1u);
+}
+
 TEST(Crossings, ABridgeKeepsClearOfAStreetThatIsClosedToCars)
 {
     const auto bridgeOver = [](const std::vector<std::pair<const char*, const char*>>& below)
