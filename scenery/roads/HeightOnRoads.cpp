@@ -21,7 +21,8 @@ namespace
 using osgRoads::core::PlacedNetwork;
 using osgRoads::core::RoadMatch;
 
-constexpr double kOnLanesM = 1e-6; ///< points that are less far from lanes lie on them
+constexpr double kOnLanesM = 1e-6;   ///< points that are less far from lanes lie on them
+constexpr double kDeckBesideM = 0.5; ///< from the lanes of a bridge to the side of its deck
 
 /// What counts before what within one level.
 enum class Rank
@@ -47,7 +48,7 @@ Surface surfaceOf(const PlacedNetwork& roads, const RoadMatch& match)
     return {heightM, isForCars ? Rank::carriageway : Rank::lane};
 }
 
-/// Adds what a road has at a place: a lane, its verge, a tunnel's walkway; nothing beside bridges and tubes.
+/// Adds what a road has at a place: a lane, its verge, a bridge's deck beside them, a tunnel's walkway.
 void addSurface(const PlacedNetwork& roads, const RoadMatch& match, std::vector<Surface>& surfaces)
 {
     const auto& [index, s, t, h] = match.position;
@@ -65,7 +66,9 @@ void addSurface(const PlacedNetwork& roads, const RoadMatch& match, std::vector<
         }
         if (outM > tube.besideM) return; // there is hillside
     }
-    if (match.distance <= kOnLanesM || !structure) surfaces.push_back(surfaceOf(roads, match));
+    const bool isOnDeck = structure && structure->kind == osgRoads::core::StructureKind::bridge &&
+                          match.distance <= kDeckBesideM;
+    if (match.distance <= kOnLanesM || !structure || isOnDeck) surfaces.push_back(surfaceOf(roads, match));
 }
 
 /// Returns the level on which something from a height stands.

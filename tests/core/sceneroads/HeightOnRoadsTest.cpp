@@ -75,6 +75,27 @@ TEST(HeightOnRoads, UnderABridgeAndBesideARoadItIsTheGround)
     EXPECT_NEAR(heightOnRoads(roads, {1.0, 120.0, -0.4}, 6.0), -0.4, 1e-9) << "beyond the bridge's end";
 }
 
+TEST(HeightOnRoads, BesideTheLanesOfABridgeItIsTheDeckAsFarAsThatReaches)
+{
+    std::string text = "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/>" + road("1", 0.0, 8.0, "-1");
+    const std::size_t end = text.rfind("</road>");
+    const auto placedWith = [&](const std::string& objects)
+    {
+        auto read = osgRoads::core::parseNetwork(
+            text.substr(0, end) + objects + text.substr(end) + "</OpenDRIVE>", "bridge.xodr");
+        EXPECT_TRUE(read);
+        return PlacedNetwork(std::make_shared<const osgRoads::core::RoadNetwork>(std::move(read->network)));
+    };
+    const PlacedNetwork bridge =
+        placedWith("<objects><bridge id=\"b\" s=\"50\" length=\"100\" type=\"concrete\"/></objects>");
+    for (const double besideM : {0.05, 0.2, 0.3, 0.4, 0.45})
+        EXPECT_NEAR(heightOnRoads(bridge, {0.0, 4.0 + besideM, 0.0}, 8.0), 8.0, 0.05) << besideM;
+    EXPECT_NEAR(heightOnRoads(bridge, {0.0, 4.6, 0.0}, 8.0), 0.0, 1e-9) << "beyond the deck";
+    const PlacedNetwork tunnel =
+        placedWith("<objects><tunnel id=\"t\" s=\"50\" length=\"100\" type=\"standard\"/></objects>");
+    EXPECT_GT(heightOnRoads(tunnel, {0.0, 4.3, 0.0}, 8.0), 8.01) << "a walkway, no deck";
+}
+
 TEST(HeightOnRoads, InATunnelItIsTheRoadAndAboveItTheHill)
 {
     const PlacedNetwork roads = crossing(6.0);

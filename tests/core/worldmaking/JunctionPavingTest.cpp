@@ -166,7 +166,7 @@ struct StraightLane
     int id = 0;
     glm::dvec2 from{0.0};
     double headingRad = 0.0;
-    std::string tags, lanes;
+    std::string tags, lanes, objects = {};
 };
 
 std::string xmlOf(const StraightLane& road)
@@ -179,7 +179,7 @@ std::string xmlOf(const StraightLane& road)
            "\"><line/></geometry></planView><lanes><laneSection s=\"0\"><center>"
            "<lane id=\"0\" type=\"none\"/></center><right><lane id=\"-1\" type=\"driving\">"
            "<width sOffset=\"0\" a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"/></lane>" +
-           road.lanes + "</right></laneSection></lanes></road>";
+           road.lanes + "</right></laneSection></lanes>" + road.objects + "</road>";
 }
 
 PlacedNetwork networkOf(const std::vector<StraightLane>& roads)
@@ -193,14 +193,14 @@ PlacedNetwork networkOf(const std::vector<StraightLane>& roads)
 }
 
 /// A road along x, and another that leaves it on its right side at `shiftM`. Both come from a junction.
-PlacedNetwork partingLanes(double angleDeg, double shiftM)
+PlacedNetwork partingLanes(double angleDeg, double shiftM, const std::string& objects = {})
 {
     constexpr double kBackM = 20.0;
     const double angle = angleDeg * 3.14159265358979 / 180.0;
     const std::string tags =
         "junction=\"-1\"><link><predecessor elementType=\"junction\" elementId=\"9\"/></link>";
     const glm::dvec2 from(shiftM - kBackM * std::cos(angle), -3.5 + kBackM * std::sin(angle));
-    return networkOf({{1, {-kBackM, 0.0}, 0.0, tags, ""}, {2, from, -angle, tags, ""}});
+    return networkOf({{1, {-kBackM, 0.0}, 0.0, tags, "", objects}, {2, from, -angle, tags, "", objects}});
 }
 
 /// Blocks of about 90 m with streets of eleven kinds, none of them straight on.
@@ -295,6 +295,30 @@ TEST(JunctionPaving, VergesFillAnIslandAsFarAsItsTip)
             EXPECT_GT(places, 3000u);
             EXPECT_EQ(open, 0u) << angleDeg << " degrees, " << shiftM << " m, the last at " << last.x << ", "
                                 << last.y;
+        }
+}
+
+/// The deck of a bridge lies 5 cm lower than its lanes, and its edge stands 0.3 m beside them where there is
+/// room.
+TEST(JunctionPaving, BridgesThatPartArePavedBetweenTheirLanes)
+{
+    const std::string bridge =
+        "<objects><bridge id=\"b\" s=\"0\" length=\"60\" type=\"concrete\"/></objects>";
+    for (const double angleDeg : {3.0, 5.0, 8.0, 12.0, 20.0})
+        for (const double shiftM : {0.0, 1.0})
+        {
+            const double slopeOfOther = std::tan(angleDeg * 3.14159265358979 / 180.0);
+            const DrawnRoads drawn(buildRoadMesh(partingLanes(angleDeg, shiftM, bridge)));
+            for (double along = shiftM + 0.2; (along - shiftM) * slopeOfOther < 0.6; along += 0.1)
+                for (double across = 0.0; across < (along - shiftM) * slopeOfOther; across += 0.02)
+                {
+                    const auto sample = drawn.at({along, -3.5 - across});
+                    ASSERT_TRUE(sample) << angleDeg << " degrees, " << along << ", " << across;
+                    ASSERT_TRUE(sample->isPaved()) << angleDeg << " degrees, " << along << ", " << across;
+                    ASSERT_GT(sample->heightM, -0.045) << angleDeg << " degrees, " << along << ", " << across;
+                }
+            // Beyond, where edges stand, there is air.
+            EXPECT_FALSE(drawn.at({shiftM + 3.0 / slopeOfOther, -5.0})) << angleDeg;
         }
 }
 

@@ -53,8 +53,9 @@ std::vector<MeshVertex> ChunkStrips::stripsAt(double from, bool hasGround) const
         if (isPaved(vertex.kind)) vertex.decalRow = _decals.listFor(quadsOf(first, columns));
         // Nobody leaves wedges of grass between the lanes of a junction.
         const bool isRight = first < 4, isVerge = strip.isBesideLanes() && strip.kind != SurfaceKind::skirt;
-        if (isVerge && mayHaveGaps && isGap(isRight ? first : first + 1, isRight ? -1 : 1))
-            vertex.kind = SurfaceKind::asphalt;
+        const bool isGapOfPaving =
+            isVerge && mayHaveGaps && isGap(isRight ? first : first + 1, isRight ? -1 : 1);
+        if (isGapOfPaving || (isVerge && !hasGround)) vertex.kind = SurfaceKind::asphalt;
         first += columns;
         if (strip.rightMark) vertex.rightRow = _marks.rowOf(_section, *strip.rightMark, from);
         if (strip.leftMark) vertex.leftRow = _marks.rowOf(_section, *strip.leftMark, from);

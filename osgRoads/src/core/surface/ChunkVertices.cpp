@@ -18,6 +18,8 @@ namespace
 {
 
 constexpr double kSlopeStepM = 0.02; ///< for the direction along the road
+/// The edge of a bridge stands on 0.3 to 0.7 m beside its lanes; of two edges that stand one is a row away.
+constexpr double kDeckGapM = 1.6;
 
 std::array<std::int8_t, 4> packed(const glm::dvec3& normal, double wear)
 {
@@ -79,6 +81,17 @@ bool ChunkVertices::isCovered(const ChunkRow& row, double t, JunctionCover::By b
     return _isAskedCovered = _cover.covers(row.s, t, by);
 }
 
+/// Whether another road's lanes begin beside a bridge, so near that no edge stands between both: the deck,
+/// which lies lower, would be seen there. `first`: column of the verge; `side`: 1 to the left.
+bool ChunkVertices::isDeckGap(const ChunkRow& row, std::size_t first, int side) const
+{
+    if (!_rows.mayBeCovered()) return false;
+    const double edgeT = row.points[side > 0 ? first : first + 1].t;
+    for (const double awayM : {0.0, 0.4, 0.8, 1.2, kDeckGapM})
+        if (_cover.covers(row.s, edgeT + side * awayM, JunctionCover::By::paving)) return true;
+    return false;
+}
+
 /// Leaves out what of a strip other roads cover. A skirt, and a strip with both borders covered, is cut at
 /// the half of the way between two vertices.
 void ChunkVertices::cutByOthers(std::size_t row, const Strip& strip, StripOfRow& of) const
@@ -114,6 +127,9 @@ ChunkVertices::StripOfRow ChunkVertices::stripOf(std::size_t rowIndex, const Str
     if (strip.isBesideLanes() && (!place.hasGround || _cover.isWithinPaving(first < 4 ? -1 : 1)))
     {
         of.right = of.left = 0;
+        const bool isOnBridge = !place.hasGround && !place.isInTunnel;
+        if (isOnBridge && !of.isSkirt && isDeckGap(row, first, first < 4 ? -1 : 1))
+            (first < 4 ? of.left : of.right) = 255;
         return of;
     }
     // Pavings of a junction lie over each other in one plane; cut from corner to corner they would have

@@ -43,6 +43,7 @@ private:
     bool isOutsideOfTunnel(const Lane& lane, const ChunkRow& row) const;
     bool isCovered(const ChunkRow& row, double t, JunctionCover::By by);
     StripOfRow stripOf(std::size_t row, const Strip& strip, std::size_t first, const ChunkPlace& place);
+    bool isDeckGap(const ChunkRow& row, std::size_t first, int side) const;
     void cutByOthers(std::size_t row, const Strip& strip, StripOfRow& of) const;
     void addStrip(const ChunkRow& row, const ChunkRow& other, const StripOfRow& strip, MeshVertex vertex);
 
