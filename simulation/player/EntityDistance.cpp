@@ -142,14 +142,15 @@ std::optional<double> distanceBetween(const MeasuredBody& from, const MeasuredBo
     return alongAxis(from, to, isLateral ? glm::dvec2(-forward.y, forward.x) : forward, measure.isFreespace);
 }
 
+double reachOf(const BoundingBox& box)
+{
+    return std::hypot(std::fabs(box.centre.x) + 0.5 * box.lengthM,
+                      std::fabs(box.centre.y) + 0.5 * box.widthM);
+}
+
 bool overlap(const MeasuredBody& first, const MeasuredBody& second)
 {
     const glm::dvec2 apart(second.state->position - first.state->position);
-    const auto reachOf = [](const BoundingBox& box)
-    {
-        return std::hypot(std::fabs(box.centre.x) + 0.5 * box.lengthM,
-                          std::fabs(box.centre.y) + 0.5 * box.widthM);
-    };
     const double reach = reachOf(first.box) + reachOf(second.box);
     if (glm::dot(apart, apart) > reach * reach) return false; // spares most of the angles
     for (const MeasuredBody* body : {&first, &second})

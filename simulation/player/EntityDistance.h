@@ -25,6 +25,9 @@ struct MeasuredBody
 std::optional<double> distanceBetween(const MeasuredBody& from, const MeasuredBody& to,
                                       const DistanceMeasure& measure, const RoadScene* roads);
 
+/// How far a box reaches around its reference point in the plan view, at most. Units: metres.
+double reachOf(const BoundingBox& box);
+
 /// Whether the boxes of two bodies overlap in the plan view, by the separating axis theorem.
 bool overlap(const MeasuredBody& first, const MeasuredBody& second);
 

@@ -68,6 +68,7 @@ ScenePerformer::ScenePerformer(const Place& place)
         _actors.emplace_back(object, place.frame, place.roads);
         _actors.back().isAbsent = absent[i] || isTraffic(static_cast<int>(i));
         _boxes.push_back(object.box());
+        _reachesM.push_back(reachOf(object.box()));
     }
     for (const ParameterDeclaration& parameter : scenario.parameters)
         _values[parameter.name] = parameter.value;
@@ -210,9 +211,15 @@ void ScenePerformer::publish()
 void ScenePerformer::collide()
 {
     const auto body = [&](std::size_t index) { return MeasuredBody{&_published[index], _boxes[index]}; };
+    const auto areNear = [&](std::size_t i, std::size_t j)
+    {
+        const glm::dvec2 apart(_published[j].position - _published[i].position);
+        const double reach = _reachesM[i] + _reachesM[j];
+        return apart.x * apart.x + apart.y * apart.y <= reach * reach;
+    };
     for (std::size_t i = 0; i < _published.size(); ++i)
         for (std::size_t j = i + 1; !_actors[i].isAbsent && j < _published.size(); ++j)
-            if (!_actors[j].isAbsent && overlap(body(i), body(j)))
+            if (!_actors[j].isAbsent && areNear(i, j) && overlap(body(i), body(j)))
             {
                 _published[i].collidesWith.push_back(static_cast<int>(j));
                 _published[j].collidesWith.push_back(static_cast<int>(i));

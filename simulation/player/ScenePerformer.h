@@ -159,6 +159,7 @@ private:
     ExternalControl _external;
     std::vector<EntityState> _published; ///< what all see of the actors until the end of the next step
     std::vector<BoundingBox> _boxes;     ///< of the same
+    std::vector<double> _reachesM;       ///< of the same, around the reference point
     PositionSolver _positions;
     std::vector<Running> _running;
     std::int64_t _lastNumber = 0;

@@ -26,6 +26,14 @@ using osgRoads::core::Signal;
 
 constexpr double kShapeStepM = 1.0, kBodyM = 5.0;
 
+/// The box of a van, with some room, whose rear axle is there.
+BodyBox bodyAt(const glm::dvec2& axle, double headingRad)
+{
+    constexpr double kMiddleM = 1.65, kHalfLengthM = 2.95, kHalfWidthM = 1.05;
+    const glm::dvec2 along(std::cos(headingRad), std::sin(headingRad));
+    return {axle + kMiddleM * along, along, kHalfLengthM, kHalfWidthM};
+}
+
 const Road& roadOf(const Network& network, int road)
 {
     return network.roads[static_cast<std::size_t>(road)];
@@ -178,7 +186,8 @@ const LaneConflict* JunctionTable::conflict(const JunctionLane& own, const Junct
         for (std::size_t i = 0; !isOneLane && i < a.size(); ++i)
             for (std::size_t j = 0; j < b.size(); ++j)
             {
-                if (!areMeeting(a[i], b[j])) continue;
+                if (!areMeeting(bodyAt(a[i].place, a[i].headingRad), bodyAt(b[j].place, b[j].headingRad)))
+                    continue;
                 entry.first = true;
                 LaneConflict& conflict = entry.second;
                 conflict.ownFromM = std::min(conflict.ownFromM, a[i].alongM);
@@ -189,27 +198,6 @@ const LaneConflict* JunctionTable::conflict(const JunctionLane& own, const Junct
         found = _conflicts.emplace(key, entry).first;
     }
     return found->second.first ? &found->second.second : nullptr;
-}
-
-/// Whether the boxes overlap of two vehicles whose rear axles are there, in the plan. Source: Ericson,
-/// *Real-Time Collision Detection*, 2005, 4.4.1.
-bool JunctionTable::areMeeting(const Body& a, const Body& b)
-{
-    constexpr double kMiddleM = 1.65, kHalfLengthM = 2.95, kHalfWidthM = 1.05; // a van with some room
-    const auto ahead = [](const Body& body)
-    { return glm::dvec2(std::cos(body.headingRad), std::sin(body.headingRad)); };
-    const glm::dvec2 alongA = ahead(a), alongB = ahead(b);
-    const glm::dvec2 apart = b.place + kMiddleM * alongB - a.place - kMiddleM * alongA;
-    const double cosine = std::fabs(glm::dot(alongA, alongB));
-    const double sine = std::fabs(alongA.x * alongB.y - alongA.y * alongB.x);
-    const double lengthwise = kHalfLengthM * (1.0 + cosine) + kHalfWidthM * sine;
-    const double sideways = kHalfWidthM * (1.0 + cosine) + kHalfLengthM * sine;
-    for (const glm::dvec2& along : {alongA, alongB})
-    {
-        if (std::fabs(glm::dot(apart, along)) > lengthwise) return false;
-        if (std::fabs(along.x * apart.y - along.y * apart.x) > sideways) return false;
-    }
-    return true;
 }
 
 JunctionTable::Sign JunctionTable::signOf(const Shape& shape) const

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <compare>
 #include <map>
 #include <optional>
 #include <utility>
@@ -9,27 +8,12 @@
 
 #include <glm/vec2.hpp>
 
+#include "simulation/road/JunctionLane.h"
+#include "simulation/road/LaneMeetings.h"
 #include "simulation/road/RoadScene.h"
 
 namespace simulation
 {
-
-/// A lane through a junction.
-struct JunctionLane
-{
-    int road = -1; ///< the connecting road, an index into RoadNetwork::roads
-    int lane = 0;  ///< where it is entered
-    bool isForward = true;
-
-    auto operator<=>(const JunctionLane&) const = default;
-};
-
-/// Where two vehicles on two lanes through a junction have no room beside each other. Units: metres along
-/// each lane, of the rear axle, from where the lane is entered.
-struct LaneConflict
-{
-    double ownFromM = 0.0, ownToM = 0.0, otherFromM = 0.0, otherToM = 0.0;
-};
 
 /// What the lanes through junctions have to do with each other, and which lanes go on for ever. Answers are
 /// worked out when they are asked for first. Threads: one.
@@ -39,9 +23,12 @@ class JunctionTable
 {
 public:
     /// `roads` must outlive it.
-    explicit JunctionTable(const RoadScene& roads) : _roads(&roads) {}
+    explicit JunctionTable(const RoadScene& roads) : _roads(&roads), _meetings(roads) {}
 
     const RoadScene& roads() const { return *_roads; }
+
+    /// Where lanes that do not belong to one junction meet.
+    LaneMeetings& meetings() { return _meetings; }
 
     /// The index of the junction that a road belongs to; -1: to none.
     int junctionOf(int road) const;
@@ -91,7 +78,6 @@ private:
         hasPriority
     };
 
-    static bool areMeeting(const Body& a, const Body& b);
     const Shape& shapeOf(const JunctionLane& lane);
     Shape shaped(const JunctionLane& lane) const;
     void findIncoming(const JunctionLane& lane, Shape& shape) const;
@@ -102,6 +88,7 @@ private:
     void findEnds();
 
     const RoadScene* _roads;
+    LaneMeetings _meetings;
     std::map<JunctionLane, Shape> _shapes;
     std::map<std::pair<JunctionLane, JunctionLane>, std::pair<bool, LaneConflict>> _conflicts;
     std::map<std::pair<JunctionLane, JunctionLane>, bool> _before, _beforeByLights;

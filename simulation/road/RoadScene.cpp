@@ -261,4 +261,12 @@ RoadPlace RoadScene::looking(RoadPlace place) const
     return place;
 }
 
+std::vector<int> RoadScene::roadsWithin(double distanceM, const glm::dvec2& point) const
+{
+    std::vector<int> roads;
+    for (const auto& match : _locator.within(point, distanceM))
+        roads.push_back(match.position.road);
+    return roads;
+}
+
 } // namespace simulation

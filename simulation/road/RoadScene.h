@@ -81,6 +81,9 @@ public:
         return !_locator.within(glm::dvec2(position), distanceM).empty();
     }
 
+    /// Returns the roads, by index, whose lanes come as near to a point as that, in the plan. Units: metres.
+    std::vector<int> roadsWithin(double distanceM, const glm::dvec2& point) const;
+
     /// Whether the lanes at a place, sidewalks and verges not counted, are under it.
     bool isOffRoad(const RoadPlace& place, const glm::dvec3& position) const;
 

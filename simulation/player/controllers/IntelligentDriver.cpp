@@ -43,7 +43,6 @@ public:
     double speedAfter(ActionScene& scene, int actor) override
     {
         constexpr double kLookAheadM = 200.0, kLateralM = 5.0, kBeforeLineM = 1.0;
-        constexpr double kBeforeJunctionM = 3.0; ///< others swing out as they turn
         const auto advice = rulesAhead(scene, actor);
         if (advice && hasTouched(scene, actor)) return _speedMps = brakedHard(scene, actor);
         const double wantedMps =
@@ -54,8 +53,7 @@ public:
         if (advice)
         {
             if (advice->lead) crowd = crowdedBy(advice->lead->gapM, advice->lead->speedMps);
-            if (advice->lineM)
-                crowd = std::max(crowd, crowdedBy(*advice->lineM + _distanceM - kBeforeJunctionM, 0.0));
+            if (advice->lineM) crowd = std::max(crowd, crowdedBy(*advice->lineM + _distanceM, 0.0));
             if (advice->lightM) crowd = std::max(crowd, crowdedBy(*advice->lightM + _distanceM, 0.0));
         }
         else if (const auto lead = leadVehicleOf(scene, actor, kLookAheadM, kLateralM))

@@ -2,6 +2,7 @@
 // Source: ASAM OpenSCENARIO XML 1.3, TrafficSwarmAction.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -22,13 +23,20 @@ double roomAheadM(const RoadScene& roads, const LaneSite& site)
     return looksForward(site.place) ? roads.roadAt(site.place).length - site.place.s : site.place.s;
 }
 
-/// Whether somebody who keeps the rules may appear at a site: it leads to other roads, and there is room to
-/// brake before the next one.
+/// Whether somebody who keeps the rules may appear at a site: it leads to other roads, there is room to brake
+/// before the next one, and there, as before it, the lane has room beside others.
 bool isGoodSite(TrafficScene& scene, const LaneSite& site)
 {
-    constexpr double kBrakesM = 25.0;
-    const JunctionLane lane{site.place.road, site.place.lane, looksForward(site.place)};
-    return roomAheadM(*scene.roads(), site) > kBrakesM && scene.junctions()->table().leadsOn(lane);
+    constexpr double kBrakesM = 25.0, kBodyM = 6.0;
+    JunctionTable& table = scene.junctions()->table();
+    const auto lane = table.meetings().laneAt(site.place);
+    if (!lane || roomAheadM(*scene.roads(), site) <= kBrakesM || !table.leadsOn(*lane)) return false;
+    const auto& narrow = table.meetings().narrowOn(*lane);
+    if (narrow.empty()) return true;
+    const double atM = table.meetings().alongM(*lane, glm::dvec2(site.position));
+    return std::none_of(narrow.begin(), narrow.end(),
+                        [&](const LaneStretch& stretch)
+                        { return atM > stretch.fromM - kBrakesM && atM < stretch.toM + kBodyM; });
 }
 
 /// The same place some way from the middle of the road, where people drive.
@@ -83,6 +91,14 @@ private:
                           beside / std::max(_swarm.semiMinorM, 1e-6));
     }
 
+    bool isGood(TrafficScene& scene, const LaneSite& site)
+    {
+        _goodSites.resize(scene.laneSites().size());
+        std::optional<bool>& isKnown = _goodSites[static_cast<std::size_t>(&site - scene.laneSites().data())];
+        if (!isKnown) isKnown = isGoodSite(scene, site);
+        return *isKnown;
+    }
+
     /// How many more may appear. `insideM`: of streets.
     int missing(TrafficScene& scene, double insideM) const
     {
@@ -115,7 +131,7 @@ private:
             const bool isOutside =
                 glm::length(glm::dvec2(site.position - central.position)) >= _swarm.innerRadiusM;
             if (share > 1.0 || !isOutside || (_isFilled && share < kRimShare)) continue;
-            if (_swarm.perKm && !isGoodSite(scene, site)) continue;
+            if (_swarm.perKm && !isGood(scene, site)) continue;
             const bool isSame = std::cos(site.headingRad - glm::radians(central.headingDeg)) >= 0.0;
             (isSame ? same : opposite).push_back(&site);
         }
@@ -146,6 +162,7 @@ private:
     TrafficSwarm _swarm;
     std::vector<int> _vehicles;
     RandomDraw _draw;
+    std::vector<std::optional<bool>> _goodSites; ///< of the scene's; nothing: not looked at yet
     double _nextS = 0.0;
     bool _isFilled = false;
 };

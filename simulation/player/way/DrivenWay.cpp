@@ -80,8 +80,30 @@ void DrivenWay::begin(EntityMotion& motion)
     _tail.relativeHeadingRad = looksForward(place) ? 0.0 : std::numbers::pi;
     add(_tail);
     _points.back().alongM = _alongM;
-    if (_table->junctionOf(place.road) >= 0)
-        _crossings.push_back({{place.road, place.lane, looksForward(place)}, _alongM, 1e300});
+    const auto lane = _table->meetings().laneAt(_tail);
+    if (lane)
+        addCrossings(_tail, _alongM - _table->meetings().alongM(*lane, glm::dvec2(_points.back().place)));
+}
+
+/// The junction on whose road a place lies, or the narrow stretches there. `laneM`: where its lane begins.
+void DrivenWay::addCrossings(const RoadPlace& place, double laneM)
+{
+    constexpr double kFrontM = 3.5; ///< of a car, before its rear axle
+    const auto lane = _table->meetings().laneAt(place);
+    if (!lane) return;
+    const auto& met = _table->meetings().metBy(*lane);
+    if (const int junction = _table->junctionOf(place.road); junction >= 0)
+    {
+        _crossings.push_back({*lane, laneM, 1e300, 0.0, false, junction, met.empty() ? nullptr : &met});
+        return;
+    }
+    for (const LaneStretch& stretch : _table->meetings().narrowOn(*lane))
+    {
+        const double lengthM = stretch.toM - stretch.fromM, aheadM = std::min(kFrontM, lengthM);
+        if (laneM + stretch.toM < _alongM) continue;
+        _crossings.push_back({*lane, laneM + stretch.fromM + aheadM, laneM + stretch.toM,
+                              stretch.fromM + aheadM, true, -1, &met});
+    }
 }
 
 /// Goes on along the points. False: the entity is not on them.
@@ -141,7 +163,8 @@ void DrivenWay::lookAhead(EntityMotion& motion)
         const double borderM =
             alongM - std::min(kWayPointM,
                               looksForward(_tail) ? _tail.s : _table->roads().roadAt(_tail).length - _tail.s);
-        if (!_crossings.empty() && _crossings.back().toM > alongM) _crossings.back().toM = borderM;
+        for (Crossing& crossing : _crossings)
+            if (crossing.toM > 1e299) crossing.toM = borderM;
         const auto next =
             std::find(_way.begin() + static_cast<std::ptrdiff_t>(_tailRoad), _way.end(), _tail.road);
         if (next == _way.end()) // it went a way that nobody chose
@@ -152,8 +175,7 @@ void DrivenWay::lookAhead(EntityMotion& motion)
         }
         else
             _tailRoad = static_cast<std::size_t>(next - _way.begin());
-        if (_table->junctionOf(_tail.road) >= 0)
-            _crossings.push_back({{_tail.road, _tail.lane, looksForward(_tail)}, borderM, 1e300});
+        addCrossings(_tail, borderM);
     }
 }
 
@@ -206,6 +228,7 @@ double DrivenWay::headingBeforeJunctions() const
     double fromM = _points.back().alongM;
     for (auto crossing = _crossings.rbegin(); crossing != _crossings.rend(); ++crossing)
     {
+        if (crossing->isNarrow) continue;
         if (crossing->toM < fromM - kCloseM) break;
         fromM = crossing->fromM;
     }
@@ -217,7 +240,12 @@ double DrivenWay::headingBeforeJunctions() const
 void DrivenWay::add(const RoadPlace& place)
 {
     const RoadPose pose = _table->roads().poseAt(place);
-    Point point{pose.position, 0.0, pose.headingRad, wayLimitAt(_table->roads(), place), 0.0};
+    Point point{pose.position,
+                0.0,
+                pose.headingRad,
+                {std::cos(pose.headingRad), std::sin(pose.headingRad)},
+                wayLimitAt(_table->roads(), place),
+                0.0};
     if (!_points.empty())
         point.alongM =
             _points.back().alongM + glm::distance(glm::dvec2(point.place), glm::dvec2(_points.back().place));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "simulation/parser/RandomDraw.h"
@@ -27,15 +28,20 @@ public:
         glm::dvec3 place{0.0};
         double alongM = 0.0;
         double headingRad = 0.0;
-        double limitMps = 0.0;   ///< of signs, and of the bend
-        double allowedMps = 0.0; ///< to keep the limits ahead by gentle braking
+        glm::dvec2 along{1.0, 0.0}; ///< the same as a direction
+        double limitMps = 0.0;      ///< of signs, and of the bend
+        double allowedMps = 0.0;    ///< to keep the limits ahead by gentle braking
     };
 
-    /// A road of the way through a junction.
+    /// A road of the way through a junction, or a narrow stretch of another one (LaneMeetings).
     struct Crossing
     {
         JunctionLane lane;
         double fromM = 0.0, toM = 0.0; ///< `toM` behind all points: not known yet
+        double onLaneM = 0.0;          ///< where it begins, along the lane
+        bool isNarrow = false;
+        int junction = -1;                                   ///< its index; -1: none
+        const std::vector<LaneMeetings::Met>* met = nullptr; ///< the lanes that the lane meets
     };
 
     /// A stop sign or a traffic light that holds for the way.
@@ -67,6 +73,7 @@ private:
     void choose(EntityMotion& motion);
     double headingBeforeJunctions() const;
     void add(const RoadPlace& place);
+    void addCrossings(const RoadPlace& place, double laneM);
     void addLines(const RoadPlace& before);
     void addLinesOn(const RoadPlace& place, double fromM, double toM, double alongM);
     void findLimits();

@@ -41,11 +41,10 @@ int JunctionKeeper::inTheWay(int vehicle, const JunctionClaim& claim, bool isInK
         if (number == vehicle) continue;
         for (JunctionClaim& theirs : other.claims)
         {
-            if (_table.junctionOf(theirs.lane.road) != _table.junctionOf(claim.lane.road) ||
-                !isInTheWay(own, claim, other, theirs))
-                continue;
-            if (!isInKnot || theirs.frontM > 0.0 || other.standsS <= kKnotS) return number;
-            theirs.isHeld = false; // it stands before the junction, and will ask again
+            if (!isInTheWay(own, claim, other, theirs)) continue;
+            if (!isInKnot || other.standsS <= kKnotS) return number;
+            // Before the junction it will ask again; in it, it stands until others of the ring have gone.
+            if (theirs.frontM <= 0.0) theirs.isHeld = false;
         }
     }
     return -1;
@@ -63,30 +62,53 @@ bool JunctionKeeper::isInKnot(int vehicle) const
     return false;
 }
 
+const LaneConflict* JunctionKeeper::conflictOf(const JunctionClaim& claim, const JunctionClaim& theirs)
+{
+    if (claim.junction >= 0 && theirs.junction == claim.junction)
+        return _table.conflict(claim.lane, theirs.lane);
+    if (!claim.met) return nullptr;
+    const auto& met = *claim.met;
+    const auto found =
+        std::lower_bound(met.begin(), met.end(), theirs.lane,
+                         [](const auto& entry, const JunctionLane& lane) { return entry.first < lane; });
+    if (found == met.end() || found->first != theirs.lane) return nullptr;
+    // Of several places where both lanes meet the one that both claims are about.
+    const auto isOf = [](const JunctionClaim& one, double fromM, double toM)
+    {
+        constexpr double kFrontM = 4.0; // a claim begins where the front of the vehicle comes to it
+        return toM > one.onLaneM - kFrontM && fromM < one.onLaneM + one.toM - one.fromM;
+    };
+    for (const LaneConflict& conflict : found->second)
+        if (isOf(claim, conflict.ownFromM, conflict.ownToM) &&
+            isOf(theirs, conflict.otherFromM, conflict.otherToM))
+            return &conflict;
+    return nullptr;
+}
+
 bool JunctionKeeper::isInTheWay(const JunctionApproach& own, const JunctionClaim& claim,
                                 const JunctionApproach& other, const JunctionClaim& theirs)
 {
-    constexpr double kMarginS = 1.0, kStandsS = 1.0, kAtLineM = 6.0;
-    constexpr double kNextM = 10.0; ///< to a junction that belongs to the one in which it stands
-    constexpr double kAxleM = 3.5;  ///< from the front of a car to its rear axle
-    const LaneConflict* const conflict = _table.conflict(claim.lane, theirs.lane);
+    constexpr double kMarginS = 1.0, kStandsS = 1.0;
+    constexpr double kAxleM = 3.5; ///< from the front of a car to its rear axle
+    const LaneConflict* const conflict = conflictOf(claim, theirs);
     if (!conflict) return false;
-    if (theirs.isHeld) return theirs.rearM < conflict->otherToM;
+    if (theirs.isHeld) return theirs.rearM + theirs.onLaneM < conflict->otherToM;
     if (theirs.isBehindRed) return false;
     const bool ownInside = own.standsS > kStandsS && own.isInside();
-    const bool otherInside = other.standsS > kStandsS && other.isInside() && theirs.frontM > -kNextM;
+    const bool otherInside = other.standsS > kStandsS && other.isInside() && theirs.isAsked;
     if (ownInside != otherInside) return otherInside && other.hasRoomBehind;
-    const bool waitsLong = other.standsS > kPatienceS && theirs.frontM > -kAtLineM && other.hasRoomBehind;
+    const bool waitsLong = other.standsS > kPatienceS && theirs.isAsked && other.hasRoomBehind;
     if (own.standsS > kPatienceS && (!waitsLong || own.standsS >= other.standsS)) return false;
     if (waitsLong) return true;
+    if (claim.isNarrow || theirs.isNarrow) return false; // no rule says who goes first
     // Who has no light gives way to those who have one.
     const bool goesBefore = claim.isAtLight == theirs.isAtLight
                                 ? _table.goesBefore(theirs.lane, claim.lane, claim.isAtLight)
                                 : theirs.isAtLight;
     if (other.standsS > kStandsS || !goesBefore) return false;
-    const double theirS =
-        (conflict->otherFromM - theirs.frontM + kAxleM) / std::max(other.speedMps + 1.0, 2.0);
-    return theirS < secondsFor(conflict->ownToM - claim.rearM, own.speedMps) + kMarginS;
+    const double theirS = (conflict->otherFromM - theirs.frontM - theirs.onLaneM + kAxleM) /
+                          std::max(other.speedMps + 1.0, 2.0);
+    return theirS < secondsFor(conflict->ownToM - claim.rearM - claim.onLaneM, own.speedMps) + kMarginS;
 }
 
 } // namespace simulation

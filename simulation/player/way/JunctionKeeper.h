@@ -9,15 +9,22 @@
 namespace simulation
 {
 
-/// What a vehicle that keeps the rules wants of a junction ahead, or has of one under it.
+/// What a vehicle that keeps the rules wants of a junction ahead, or has of one under it: a lane through it;
+/// or of a narrow stretch of a lane elsewhere.
 struct JunctionClaim
 {
     JunctionLane lane;
-    double fromM = 0.0;               ///< where the lane begins, along the vehicle's way
-    double frontM = 0.0, rearM = 0.0; ///< of the vehicle, from there; negative: before it
-    bool isHeld = false;              ///< it drives, or has been let in
-    bool isAtLight = false;           ///< a traffic light that is on stands before it
-    bool isBehindRed = false;         ///< and it has to stop there, or at an earlier one
+    double fromM = 0.0;                                  ///< where it begins, along the vehicle's way
+    double frontM = 0.0, rearM = 0.0;                    ///< of the vehicle, from there; negative: before it
+    bool isHeld = false;                                 ///< it drives, or has been let in
+    double toM = 1e300;                                  ///< where it ends, along the vehicle's way
+    double onLaneM = 0.0;                                ///< where it begins, along its lane
+    bool isNarrow = false;                               ///< a stretch elsewhere
+    int junction = -1;                                   ///< its index; -1: none
+    const std::vector<LaneMeetings::Met>* met = nullptr; ///< the lanes that the lane meets; null: none
+    bool isAsked = false;     ///< it is before the vehicle, or has to be passed together with that
+    bool isAtLight = false;   ///< a traffic light that is on stands before it
+    bool isBehindRed = false; ///< and it has to stop there, or at an earlier one
 };
 
 /// A vehicle on its way to junctions, as others know it. Units: metres, m/s, seconds.
@@ -67,6 +74,8 @@ public:
     bool isInKnot(int vehicle) const;
 
 private:
+    /// Where the lanes of two claims meet, if they do.
+    const LaneConflict* conflictOf(const JunctionClaim& claim, const JunctionClaim& theirs);
     bool isInTheWay(const JunctionApproach& own, const JunctionClaim& claim, const JunctionApproach& other,
                     const JunctionClaim& theirs);
 

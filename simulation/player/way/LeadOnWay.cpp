@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Source of the steps along a way, each as long as nothing can be met before: Hart, "Sphere tracing", The
+// Visual Computer 12, 1996.
 #include "simulation/player/way/LeadOnWay.h"
 
 #include <algorithm>
@@ -6,121 +8,143 @@
 #include <optional>
 
 #include <foundation/Angle.h>
-#include <foundation/NearestOnSegment.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "simulation/player/EntityBox.h"
+#include "simulation/road/BodyBox.h"
 
 namespace simulation
 {
 namespace
 {
 
-constexpr double kStripSideM = 0.3;     ///< room that a vehicle keeps to each side
-constexpr double kStripStoreyM = 3.5;   ///< what is so far above or below is on another road
-constexpr std::size_t kStripCoarse = 2; ///< points from one look to the next
-constexpr std::size_t kPointsOfBox = 8; ///< of the way, to each side of a body's middle
+/// Room that a vehicle keeps to each side of those who keep no rules, and of those who do: they were let in
+/// where they are, and whoever comes towards it has its own lane.
+constexpr double kStrangerSideM = 0.3, kOtherSideM = 0.1, kOncomingSideM = 0.0;
+constexpr double kSweptStoreyM = 3.5; ///< what is so far above or below is on another road
 
-/// The strip that a vehicle needs, and how far it looks.
-class WayStrip
+BodyBox bodyOf(const glm::dvec2& place, const glm::dvec2& along, const BoundingBox& box)
+{
+    const glm::dvec2 left(-along.y, along.x);
+    return {place + box.centre.x * along + box.centre.y * left, along, 0.5 * box.lengthM, 0.5 * box.widthM};
+}
+
+glm::dvec2 directionOf(double headingRad)
+{
+    return {std::cos(headingRad), std::sin(headingRad)};
+}
+
+/// The places that the body of a vehicle takes one after the other on its way, as far as it looks.
+class SweptWay
 {
 public:
-    WayStrip(const DrivenWay& way, const BoundingBox& box, double frontM, double aheadM)
-        : _points(way.points()), _halfM(0.5 * box.widthM), _frontM(frontM)
+    SweptWay(const DrivenWay& way, const EntityState& state, const BoundingBox& box, double aheadM)
+        : _points(way.points()),
+          _box(box),
+          _now(bodyOf(glm::dvec2(state.position), directionOf(foundation::radiansOf(state.headingDeg)), box)),
+          _heightM(state.position.z),
+          _alongM(way.alongM()),
+          _frontM(_alongM + box.centre.x + 0.5 * box.lengthM),
+          _halfDiagonalM(0.5 * std::hypot(box.lengthM, box.widthM))
     {
         _first = way.at();
+        while (_first + 1 < _points.size() && _points[_first].alongM <= _alongM)
+            ++_first;
         _last = _first;
-        _least = _most = glm::dvec2(_points[_first].place);
-        while (_last + 1 < _points.size() && _points[_last].alongM < frontM + aheadM)
+        _least = _most = _now.middle;
+        for (; _last < _points.size() && _points[_last].alongM < _alongM + aheadM; ++_last)
         {
-            ++_last;
             _least = glm::min(_least, glm::dvec2(_points[_last].place));
             _most = glm::max(_most, glm::dvec2(_points[_last].place));
         }
     }
 
-    /// Whether a body may reach into the strip at all, in little time.
+    /// Whether a body may be on the way at all, in little time.
     bool mayReach(const EntityState& state, const BoundingBox& box) const
     {
-        const double reachM = box.lengthM + box.widthM + std::fabs(box.centre.x) + _halfM + kStripSideM;
+        const double reachM =
+            box.lengthM + box.widthM + std::fabs(box.centre.x) + _box.lengthM + std::fabs(_box.centre.x);
         return state.position.x > _least.x - reachM && state.position.x < _most.x + reachM &&
                state.position.y > _least.y - reachM && state.position.y < _most.y + reachM;
     }
 
-    /// The part of a body that reaches into the strip first; nothing: none does.
-    std::optional<LeadOnWay> reach(const EntityState& state, const BoundingBox& box, bool keepsRules) const
+    /// A body that the vehicle would meet; nothing: it passes it.
+    std::optional<LeadOnWay> meet(const EntityState& state, const BoundingBox& box, bool keepsRules) const
     {
-        const double heading = foundation::radiansOf(state.headingDeg);
-        const glm::dvec2 along(std::cos(heading), std::sin(heading)), left(-along.y, along.x);
-        const glm::dvec2 middle = glm::dvec2(state.position) + along * box.centre.x + left * box.centre.y;
-        const double reachM = 0.5 * std::hypot(box.lengthM, box.widthM) + _halfM + kStripSideM;
-        const auto nearest = nearestPoint(middle, reachM + 2.0 * kStripCoarse);
-        if (!nearest) return std::nullopt;
-        const double facing = std::cos(heading - _points[*nearest].headingRad);
-        if (keepsRules && facing < -0.3) return std::nullopt;
-        const double roomM = _halfM + (facing < -0.3 ? 0.0 : kStripSideM);
-        const std::size_t from = std::max(_first, *nearest - std::min(*nearest, kPointsOfBox));
-        const std::size_t to = std::min(_last, *nearest + kPointsOfBox);
-        double rearM = 1e300;
-        const int parts = std::max(2, static_cast<int>(std::ceil(box.lengthM / 1.5)));
-        for (int i = 0; i <= parts; ++i)
-            for (const double side : {-0.5, 0.0, 0.5})
+        const BodyBox other =
+            bodyOf(glm::dvec2(state.position), directionOf(foundation::radiansOf(state.headingDeg)), box);
+        const bool comes = glm::dot(other.along, _now.along) < -0.3;
+        double roomM = !keepsRules ? kStrangerSideM : comes ? kOncomingSideM : kOtherSideM;
+        if (std::fabs(state.position.z - _heightM) < kSweptStoreyM && areMeeting(_now, other, roomM))
+        {
+            // One beside it is passed close by; one that it touches stands before it or behind it.
+            if (areMeeting(_now, other))
+                return glm::dot(other.middle - _now.middle, _now.along) > 0.0
+                           ? std::optional(leadAt(_alongM, state, _now.along, other))
+                           : std::nullopt;
+            roomM = 0.0;
+        }
+        const double reachM =
+            _halfDiagonalM + other.halfLengthM + other.halfWidthM + 2.0 * roomM; // more than the diagonal
+        for (std::size_t i = _first; i < _last;)
+        {
+            const BodyBox own = bodyOf(glm::dvec2(_points[i].place), _points[i].along, _box);
+            const double apartM = glm::distance(own.middle, other.middle);
+            if (apartM > reachM)
             {
-                const glm::dvec2 part = middle +
-                                        along * (box.lengthM * (static_cast<double>(i) / parts - 0.5)) +
-                                        left * (side * box.widthM);
-                if (const auto atM = alongAt(part, from, to, roomM)) rearM = std::min(rearM, *atM);
+                constexpr double kLongestStepM = 3.5; // of the middle from point to point, in a tight bend
+                i += std::max<std::size_t>(1, static_cast<std::size_t>((apartM - reachM) / kLongestStepM));
+                continue;
             }
-        if (rearM > 1e299) return std::nullopt;
-        LeadOnWay lead;
-        lead.rearM = rearM;
-        lead.gapM = rearM - _frontM;
-        lead.speedMps = state.speedMps * facing;
-        return lead;
+            if (std::fabs(_points[i].place.z - state.position.z) < kSweptStoreyM &&
+                areMeeting(own, other, roomM))
+                return leadAt(firstMeetingM(i, other, roomM), state, own.along, other);
+            ++i;
+        }
+        return std::nullopt;
     }
 
 private:
-    std::optional<std::size_t> nearestPoint(const glm::dvec2& place, double withinM) const
+    LeadOnWay leadAt(double alongM, const EntityState& state, const glm::dvec2& along,
+                     const BodyBox& other) const
     {
-        std::size_t nearest = _first;
-        double least = withinM * withinM;
-        bool isFound = false;
-        for (std::size_t i = _first; i <= _last; i += kStripCoarse)
-        {
-            const glm::dvec2 apart = place - glm::dvec2(_points[i].place);
-            const double square = glm::dot(apart, apart);
-            if (square >= least) continue;
-            least = square;
-            nearest = i;
-            isFound = true;
-        }
-        return isFound ? std::optional(nearest) : std::nullopt;
+        LeadOnWay lead;
+        lead.gapM = alongM - _alongM;
+        lead.rearM = _frontM + lead.gapM;
+        lead.speedMps = state.speedMps * glm::dot(along, other.along);
+        lead.lengthM = 2.0 * other.halfLengthM;
+        lead.isAlong = glm::dot(along, other.along) > 0.5;
+        return lead;
     }
 
-    /// Where a point lies along the way; nothing: beside the strip, or not ahead of the vehicle.
-    std::optional<double> alongAt(const glm::dvec2& place, std::size_t from, std::size_t to,
-                                  double roomM) const
+    /// Where on the way to a point at which bodies meet they do so first.
+    double firstMeetingM(std::size_t point, const BodyBox& other, double roomM) const
     {
-        constexpr double kUnderM = 0.5, kRoundingM = 1e-6;
-        double least = roomM, atM = -1e300;
-        for (std::size_t i = from; i < to; ++i)
+        constexpr int kHalvings = 7;
+        const DrivenWay::Point& to = _points[point];
+        const bool isFirst = point == _first;
+        const glm::dvec2 fromPlace =
+            isFirst ? _now.middle - _box.centre.x * _now.along : glm::dvec2(_points[point - 1].place);
+        const double fromM = isFirst ? _alongM : _points[point - 1].alongM;
+        const double fromRad =
+            isFirst ? std::atan2(_now.along.y, _now.along.x) : _points[point - 1].headingRad;
+        const double turn = foundation::wrappedRad(to.headingRad - fromRad);
+        double free = 0.0, met = 1.0;
+        for (int i = 0; i < kHalvings; ++i)
         {
-            const glm::dvec2 a(_points[i].place), b(_points[i + 1].place);
-            // No part of a piece is nearer than its begin less its length; this spares most of the work.
-            const double reachM = least + _points[i + 1].alongM - _points[i].alongM + kRoundingM;
-            if (glm::dot(place - a, place - a) > reachM * reachM) continue;
-            const double share = foundation::nearestShare(place, a, b);
-            const double apart = glm::distance(place, a + share * (b - a));
-            if (apart >= least) continue;
-            least = apart;
-            atM = _points[i].alongM + share * (_points[i + 1].alongM - _points[i].alongM);
+            const double share = 0.5 * (free + met);
+            const BodyBox own = bodyOf(glm::mix(fromPlace, glm::dvec2(to.place), share),
+                                       directionOf(fromRad + share * turn), _box);
+            (areMeeting(own, other, roomM) ? met : free) = share;
         }
-        return atM > _frontM - kUnderM ? std::optional(atM) : std::nullopt;
+        return fromM + free * (to.alongM - fromM) + roomM;
     }
 
     const std::vector<DrivenWay::Point>& _points;
-    double _halfM, _frontM;
+    const BoundingBox& _box;
+    BodyBox _now;
+    double _heightM, _alongM, _frontM, _halfDiagonalM;
     std::size_t _first = 0, _last = 0;
     glm::dvec2 _least{0.0}, _most{0.0}; ///< corners around its points
 };
@@ -130,8 +154,7 @@ private:
 std::vector<LeadOnWay> leadsOnWay(ActionScene& scene, int actor, const DrivenWay& way,
                                   const JunctionKeeper& keeper, double aheadM)
 {
-    const BoundingBox& own = boxOf(scene, actor);
-    const WayStrip strip(way, own, way.alongM() + own.centre.x + 0.5 * own.lengthM, aheadM);
+    const SweptWay swept(way, scene.motion(actor).state(), boxOf(scene, actor), aheadM);
     std::vector<LeadOnWay> leads;
     const int count = static_cast<int>(scene.scenario().entities.size());
     for (int i = 0; i < count; ++i)
@@ -139,17 +162,10 @@ std::vector<LeadOnWay> leadsOnWay(ActionScene& scene, int actor, const DrivenWay
         if (i == actor || !scene.isPresent(i)) continue;
         const EntityState& other = scene.motion(i).state();
         const BoundingBox& box = boxOf(scene, i);
-        if (!strip.mayReach(other, box)) continue;
-        auto found = strip.reach(other, box, keeper.isKept(i));
+        if (!swept.mayReach(other, box)) continue;
+        auto found = swept.meet(other, box, keeper.isKept(i));
         if (!found) continue;
-        // The height of the way there, not here.
-        const auto& points = way.points();
-        const auto at = std::lower_bound(points.begin(), points.end(), found->rearM,
-                                         [](const DrivenWay::Point& point, double alongM)
-                                         { return point.alongM < alongM; });
-        if (at != points.end() && std::fabs(at->place.z - other.position.z) > kStripStoreyM) continue;
         found->entity = i;
-        found->lengthM = box.lengthM;
         leads.push_back(*found);
     }
     std::stable_sort(leads.begin(), leads.end(),

@@ -18,11 +18,12 @@ struct LeadOnWay
     double gapM = 0.0;     ///< from the front of the vehicle
     double speedMps = 0.0; ///< along the way; negative: it comes nearer
     double lengthM = 0.0;  ///< of its box
+    bool isAlong = true;   ///< it looks along the way, so that it goes on before the vehicle
 };
 
-/// Returns the entities that stand or move where a vehicle is about to drive, up to `aheadM` before its
-/// front, the nearest first: any part of a box counts that reaches into the strip that the vehicle needs. Of
-/// those that keep the rules, too, whoever comes along the other lane does not count.
+/// Returns the entities whose bodies a vehicle would meet where they are now, up to `aheadM` along its way,
+/// the nearest first: each place that its own body takes on the way is compared with their boxes, wherever
+/// they stand, and whether they keep rules or not.
 std::vector<LeadOnWay> leadsOnWay(ActionScene& scene, int actor, const DrivenWay& way,
                                   const JunctionKeeper& keeper, double aheadM);
 

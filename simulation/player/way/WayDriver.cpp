@@ -19,12 +19,22 @@ namespace
 
 constexpr double kClaimSeenM = 90.0; ///< before a junction others know of it
 constexpr double kToLineMps2 = 1.5, kGiveBackMps2 = 4.0;
-constexpr double kDecidesM = 10.0;       ///< from where it brakes gently for a line it asks
-constexpr double kRoomBehindM = 3.0;     ///< to whoever stands behind a junction
-constexpr double kBeforeJunctionM = 3.0; ///< others swing out as they turn
-constexpr double kOfJunctionM = 3.0;     ///< behind where a junction begins, lines still count as before it
-constexpr double kWayLookM = 100.0;      ///< at most; else to stop in, and more
+constexpr double kDecidesM = 10.0; ///< from where it brakes gently for a line it asks
+/// beside its own length, behind the place where its rear axle has left a junction
+constexpr double kRoomBehindM = 1.2;
+constexpr double kBeforeJunctionM = 1.0;
+constexpr double kBeforeNarrowM = 0.5;
+constexpr double kRoomBetweenM = 0.2; ///< two junctions, to stand there without being in the way
+constexpr double kOfJunctionM = 3.0;  ///< behind where a junction begins, lines still count as before it
+constexpr double kWayLookM = 100.0;   ///< at most; else to stop in, and more
 constexpr double kWayLeastM = 20.0, kWayLookS = 2.0;
+
+/// The room that it keeps before it, when it has to wait. Where others swing out before a junction, the lane
+/// is narrow.
+double roomBefore(const JunctionClaim& claim)
+{
+    return claim.isNarrow ? kBeforeNarrowM : kBeforeJunctionM;
+}
 
 /// The state of a traffic light; null: nobody has switched it.
 const std::string* lightState(const ActionScene& scene, const DrivenWay::Line& line)
@@ -52,6 +62,7 @@ WayDriver::~WayDriver()
 std::optional<WayAdvice> WayDriver::look(ActionScene& scene, double speedMps)
 {
     _keeper->setTime(scene.timeS());
+    _own = &_keeper->of(_actor);
     if (!_way.follow(scene.motion(_actor))) return std::nullopt;
     measure(scene, speedMps);
     WayAdvice advice;
@@ -59,16 +70,17 @@ std::optional<WayAdvice> WayDriver::look(ActionScene& scene, double speedMps)
     _ahead = leadsOnWay(scene, _actor, _way, *_keeper, lookM());
     if (!_ahead.empty()) advice.lead = _ahead.front();
     lookAtLines(scene, advice);
-    JunctionApproach& own = _keeper->of(_actor);
-    _isInKnot = _keeper->isInKnot(_actor);
+    JunctionApproach& own = *_own;
+    constexpr double kBehindM = 5.0;
+    const bool isBehind = advice.lead && advice.lead->gapM < kBehindM;
+    _isInKnot = !isBehind && _keeper->isInKnot(_actor);
     own.waitsFor = -1;
     if (_givesWay)
     {
         giveBack();
         advice.lineM = ask(scene);
     }
-    constexpr double kBehindM = 5.0;
-    if (advice.lead && advice.lead->gapM < kBehindM) own.waitsFor = advice.lead->entity;
+    if (isBehind) own.waitsFor = advice.lead->entity;
     return advice;
 }
 
@@ -76,7 +88,7 @@ std::optional<WayAdvice> WayDriver::look(ActionScene& scene, double speedMps)
 double WayDriver::lookM() const
 {
     constexpr double kBehindJunctionM = 25.0;
-    const JunctionApproach& own = _keeper->of(_actor);
+    const JunctionApproach& own = *_own;
     const double stopsM = own.speedMps * own.speedMps / (2.0 * kToLineMps2);
     double aheadM = kWayLeastM + kWayLookS * own.speedMps + stopsM;
     const std::size_t first = firstNotHeld();
@@ -87,7 +99,7 @@ double WayDriver::lookM() const
 
 std::size_t WayDriver::firstNotHeld() const
 {
-    const auto& claims = _keeper->of(_actor).claims;
+    const auto& claims = _own->claims;
     return static_cast<std::size_t>(
         std::find_if(claims.begin(), claims.end(), [](const JunctionClaim& claim) { return !claim.isHeld; }) -
         claims.begin());
@@ -99,7 +111,7 @@ void WayDriver::measure(ActionScene& scene, double speedMps)
     constexpr double kStandsMps = 0.3;
     const BoundingBox& box = boxOf(scene, _actor);
     _frontM = _way.alongM() + box.centre.x + 0.5 * box.lengthM;
-    JunctionApproach& own = _keeper->of(_actor);
+    JunctionApproach& own = *_own;
     own.seenS = scene.timeS();
     own.lengthM = box.lengthM;
     own.speedMps = speedMps;
@@ -111,8 +123,14 @@ void WayDriver::measure(ActionScene& scene, double speedMps)
         if (crossing.toM < rearM || crossing.fromM > _frontM + kClaimSeenM) continue;
         JunctionClaim claim{crossing.lane, crossing.fromM, _frontM - crossing.fromM, rearM - crossing.fromM,
                             _frontM > crossing.fromM + 0.5};
+        claim.toM = crossing.toM;
+        claim.onLaneM = crossing.onLaneM;
+        claim.isNarrow = crossing.isNarrow;
+        claim.met = crossing.met;
+        claim.junction = crossing.junction;
         for (const JunctionClaim& before : own.claims)
-            if (before.isHeld && before.fromM == crossing.fromM) claim.isHeld = true;
+            if (before.isHeld && before.fromM == crossing.fromM && before.lane == crossing.lane)
+                claim.isHeld = true;
         claims.push_back(claim);
     }
     own.claims = std::move(claims);
@@ -123,7 +141,7 @@ void WayDriver::lookAtLines(const ActionScene& scene, WayAdvice& advice)
 {
     constexpr double kBeforeLineM = 1.0;
     constexpr double kAmberMps2 = 4.0, kRedMps2 = 8.0, kCreepsMps = 1.0; ///< of one who stops at a light
-    const double speedMps = _keeper->of(_actor).speedMps;
+    const double speedMps = _own->speedMps;
     std::optional<double> redAtM;
     for (const DrivenWay::Line& line : _way.lines())
     {
@@ -137,11 +155,11 @@ void WayDriver::lookAtLines(const ActionScene& scene, WayAdvice& advice)
         if (goesOnAmber(scene, line, *state)) continue;
         redAtM = line.alongM;
         advice.lightM = gapM - kBeforeLineM;
-        for (const DrivenWay::Crossing& crossing : _way.crossings())
-            if (crossing.fromM > line.alongM - kOfJunctionM)
-                advice.lightM = std::min(*advice.lightM, crossing.fromM - kBeforeJunctionM - _frontM);
     }
     markLights(scene, redAtM);
+    for (const JunctionClaim& claim : _own->claims)
+        if (claim.isBehindRed)
+            advice.lightM = std::min(advice.lightM.value_or(1e300), -claim.frontM - roomBefore(claim));
 }
 
 /// Who has waited at the line on green, as those do who turn across the way of others, goes on amber, where
@@ -149,7 +167,7 @@ void WayDriver::lookAtLines(const ActionScene& scene, WayAdvice& advice)
 bool WayDriver::goesOnAmber(const ActionScene& scene, const DrivenWay::Line& line, const std::string& state)
 {
     constexpr double kAtLineM = 2.5, kWaitedS = 2.0, kBeginsS = 0.7, kGoesMps = 1.0;
-    const JunctionApproach& own = _keeper->of(_actor);
+    const JunctionApproach& own = *_own;
     if (line.alongM - _frontM > kAtLineM) return false;
     if (!isAmber(state))
     {
@@ -164,7 +182,7 @@ bool WayDriver::goesOnAmber(const ActionScene& scene, const DrivenWay::Line& lin
 /// Tells others at junctions what lights say of it. Who stands at a light waits for nobody.
 void WayDriver::markLights(const ActionScene& scene, std::optional<double> redAtM)
 {
-    JunctionApproach& own = _keeper->of(_actor);
+    JunctionApproach& own = *_own;
     for (JunctionClaim& claim : own.claims)
     {
         claim.isBehindRed = claim.frontM < 0.5 && redAtM && *redAtM < claim.fromM + kOfJunctionM;
@@ -175,7 +193,7 @@ void WayDriver::markLights(const ActionScene& scene, std::optional<double> redAt
         }
         double fromM = -1e300; // where the junction before it ends
         for (const DrivenWay::Crossing& crossing : _way.crossings())
-            if (crossing.fromM < claim.fromM) fromM = crossing.toM - kOfJunctionM;
+            if (crossing.fromM < claim.fromM && !crossing.isNarrow) fromM = crossing.toM - kOfJunctionM;
         for (const DrivenWay::Line& line : _way.lines())
         {
             if (line.alongM < fromM || line.alongM > claim.fromM + kOfJunctionM) continue;
@@ -183,62 +201,76 @@ void WayDriver::markLights(const ActionScene& scene, std::optional<double> redAt
             claim.isAtLight = claim.isAtLight || (state && !isSwitchedOff(*state));
         }
     }
+    // What has to be passed together with a junction waits for its light.
+    for (std::size_t i = own.claims.size(); i-- > 1;)
+        if (own.claims[i].isBehindRed && own.claims[i - 1].isNarrow && own.claims[i - 1].frontM < 0.5 &&
+            isChained(i))
+        {
+            own.claims[i - 1].isBehindRed = true;
+            own.claims[i - 1].isHeld = false;
+        }
 }
 
 double WayDriver::endOf(std::size_t claim) const
 {
-    const double fromM = _keeper->of(_actor).claims[claim].fromM;
-    for (const DrivenWay::Crossing& crossing : _way.crossings())
-        if (crossing.fromM == fromM) return std::min(crossing.toM, _way.points().back().alongM);
-    return fromM;
+    return std::min(_own->claims[claim].toM, _way.points().back().alongM);
 }
 
 /// Whether a junction has to be passed together with the one before it, because there is no room to stand
 /// between them.
 bool WayDriver::isChained(std::size_t claim) const
 {
-    const JunctionApproach& own = _keeper->of(_actor);
-    return claim > 0 && own.claims[claim].fromM - endOf(claim - 1) < own.lengthM + kRoomBehindM;
+    const JunctionApproach& own = *_own;
+    return claim > 0 && own.claims[claim].fromM - endOf(claim - 1) < own.lengthM + kRoomBetweenM;
 }
 
 /// The end of the junctions that have to be passed together.
 std::size_t WayDriver::chainFrom(std::size_t first) const
 {
     std::size_t end = first + 1;
-    while (end < _keeper->of(_actor).claims.size() && isChained(end))
+    while (end < _own->claims.size() && isChained(end))
         ++end;
     return end;
 }
 
-/// Who was let in and cannot go gives the junction back; one that it has to pass together with that in which
-/// it stands not before it has stood for long.
+/// Who was let in and cannot go gives back all that it has to pass together; what it has to pass together
+/// with that in which it stands not before it has stood for long.
 void WayDriver::giveBack()
 {
     constexpr double kStandsS = 2.0, kInM = -0.5;
-    JunctionApproach& own = _keeper->of(_actor);
-    bool isBegun = false;
-    for (std::size_t i = 0; i < own.claims.size(); ++i)
+    JunctionApproach& own = *_own;
+    for (std::size_t first = 0, end = 0; first < own.claims.size(); first = end)
     {
-        JunctionClaim& claim = own.claims[i];
-        isBegun = claim.frontM > kInM || (isBegun && isChained(i));
-        if (!claim.isHeld || claim.frontM > kInM) continue;
-        if (isBegun && own.standsS < JunctionKeeper::kPatienceS) continue;
-        const bool isLeadBefore = !_ahead.empty() && _ahead.front().rearM < claim.fromM + 1.0;
-        const bool canStop = own.speedMps * own.speedMps < -2.0 * kGiveBackMps2 * claim.frontM;
-        if ((isLeadBefore && own.standsS > kStandsS) || (canStop && whoTakesRoom(i, chainFrom(i))))
-            claim.isHeld = false;
+        end = chainFrom(first);
+        const JunctionClaim& begin = own.claims[first];
+        const bool isBegun = begin.frontM > kInM;
+        const auto isLost = [&](const JunctionClaim& claim) { return !claim.isHeld; };
+        bool isGiven = !isBegun && std::any_of(own.claims.begin() + static_cast<std::ptrdiff_t>(first),
+                                               own.claims.begin() + static_cast<std::ptrdiff_t>(end), isLost);
+        const bool isLeadBefore = !_ahead.empty() && _ahead.front().rearM < begin.fromM + 1.0;
+        const bool canStop = own.speedMps * own.speedMps < -2.0 * kGiveBackMps2 * begin.frontM;
+        if (isBegun)
+            isGiven = own.standsS > JunctionKeeper::kPatienceS && !_ahead.empty() &&
+                      !_keeper->isKept(_ahead.front().entity);
+        else if ((isLeadBefore && own.standsS > kStandsS) ||
+                 (canStop && begin.isHeld && whoTakesRoom(first, end)))
+            isGiven = true;
+        for (std::size_t i = first; isGiven && i < end; ++i)
+            own.claims[i].isHeld = own.claims[i].frontM > kInM;
     }
 }
 
 /// Asks for the next junctions. Returns the way to the line before them; nothing: it may go on.
 std::optional<double> WayDriver::ask(ActionScene& scene)
 {
-    JunctionApproach& own = _keeper->of(_actor);
+    JunctionApproach& own = *_own;
     const std::size_t first = firstNotHeld();
     if (first == own.claims.size() || own.claims[first].isBehindRed) return std::nullopt;
-    const double lineM = -own.claims[first].frontM;
+    const double lineM = -own.claims[first].frontM - roomBefore(own.claims[first]);
     if (lineM > own.speedMps * own.speedMps / (2.0 * kToLineMps2) + kDecidesM) return std::nullopt;
     const std::size_t end = chainFrom(first);
+    for (std::size_t i = first; i < end; ++i)
+        own.claims[i].isAsked = true;
     const auto standing = whoTakesRoom(first, end);
     own.hasRoomBehind = !standing;
     if (standing) own.waitsFor = *standing;
@@ -260,14 +292,16 @@ std::optional<double> WayDriver::ask(ActionScene& scene)
 std::optional<int> WayDriver::whoTakesRoom(std::size_t first, std::size_t end) const
 {
     constexpr double kGoesMps = 2.5;
-    const JunctionApproach& own = _keeper->of(_actor);
+    const JunctionApproach& own = *_own;
     JunctionTable& table = _keeper->table();
     // A ring goes on when all in it go on; whoever comes into it needs the room.
-    const bool staysInRing =
-        table.staysInRing(own.claims[first].lane) && table.staysInRing(own.claims[end - 1].lane);
+    bool staysInRing = !own.claims[first].isNarrow;
+    for (std::size_t i = first; i < end; ++i)
+        staysInRing = staysInRing && (own.claims[i].isNarrow || table.staysInRing(own.claims[i].lane));
     double needsM = own.lengthM + kRoomBehindM;
     for (const LeadOnWay& other : _ahead)
     {
+        if (!other.isAlong && _keeper->isKept(other.entity)) continue; // it goes another way, and is asked
         const bool isBefore = other.rearM < own.claims[first].fromM + 1.0;
         if (other.speedMps > kGoesMps || (staysInRing && !isBefore))
         {
@@ -284,7 +318,7 @@ std::optional<int> WayDriver::whoTakesRoom(std::size_t first, std::size_t end) c
 bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end) const
 {
     constexpr double kNearM = 80.0, kCrossingM = 3.0, kBesideM = 2.0, kLookS = 0.5, kMostS = 6.0;
-    const JunctionApproach& own = _keeper->of(_actor);
+    const JunctionApproach& own = *_own;
     const double fromM = own.claims[first].fromM, toM = endOf(end - 1);
     const double passesS = std::min(kMostS, secondsFor(toM - _frontM + own.lengthM, own.speedMps) + 1.0);
     const EntityState& self = scene.motion(_actor).state();

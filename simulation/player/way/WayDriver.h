@@ -18,7 +18,7 @@ struct WayAdvice
 {
     double allowedMps = 0.0; ///< by limits and bends, here and ahead
     std::optional<LeadOnWay> lead;
-    std::optional<double> lineM;  ///< from the front to the junction before which it has to stop
+    std::optional<double> lineM;  ///< from the front to where it has to stop before a junction
     std::optional<double> lightM; ///< to where it has to stop before a traffic light
     std::optional<double> signM;  ///< to the next stop sign
 };
@@ -64,9 +64,10 @@ private:
     int _actor;
     bool _givesWay;
     DrivenWay _way;
-    double _frontM = 0.0;          ///< along the way
-    std::vector<LeadOnWay> _ahead; ///< who is on it, the nearest first
-    bool _isInKnot = false;        ///< as JunctionKeeper::isInKnot()
+    JunctionApproach* _own = nullptr; ///< as others know it; valid for a look
+    double _frontM = 0.0;             ///< along the way
+    std::vector<LeadOnWay> _ahead;    ///< who is on it, the nearest first
+    bool _isInKnot = false;           ///< as JunctionKeeper::isInKnot()
     std::optional<Amber> _amber;
 };
 

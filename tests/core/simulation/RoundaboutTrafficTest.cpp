@@ -45,7 +45,7 @@ TEST(Roundabout, HasCollisionsWhereNobodyGivesWay)
 {
     const auto player = playerOf(withoutGivingWay(aroundRoundabout()), crossing(roundaboutText()), 0, 30);
     ASSERT_TRUE(player);
-    EXPECT_GT(watch(*player, 120.0).collisions, 0);
+    EXPECT_GT(watch(*player, 400.0).collisions, 0);
 }
 
 TEST(Roundabout, ThoseInTheRingGoFirst)
