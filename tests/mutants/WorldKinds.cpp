@@ -25,8 +25,8 @@ public:
 
     InputKind terrains(const std::string& name, seeds::Files files) const
     {
-        return {name, std::move(files), [this_ = *this](const std::string& file) -> std::vector<Command> {
-                    return {this_._folders.command("terraintool", {"info", file}), this_.tour(file, {})};
+        return {name, std::move(files), [maker = *this](const std::string& file) -> std::vector<Command> {
+                    return {maker._folders.command("terraintool", {"info", file}), maker.tour(file, {})};
                 }};
     }
 
@@ -34,8 +34,8 @@ public:
     InputKind ofTour(const std::string& name, seeds::Files files, const std::string& option) const
     {
         return {name, std::move(files),
-                [this_ = *this, option](const std::string& file) -> std::vector<Command> {
-                    return {this_.tour(this_._hill, {option, file})};
+                [maker = *this, option](const std::string& file) -> std::vector<Command> {
+                    return {maker.tour(maker._hill, {option, file})};
                 }};
     }
 
@@ -54,8 +54,8 @@ public:
 
     InputKind maps(const std::string& name, seeds::Files files) const
     {
-        return {name, std::move(files), [this_ = *this](const std::string& file) -> std::vector<Command> {
-                    return {this_.world({"--map", file})};
+        return {name, std::move(files), [maker = *this](const std::string& file) -> std::vector<Command> {
+                    return {maker.world({"--map", file})};
                 }};
     }
 
@@ -64,10 +64,10 @@ public:
     {
         return {
             "osc", std::move(files),
-            [this_ = *this](const std::string& file) -> std::vector<Command>
+            [maker = *this](const std::string& file) -> std::vector<Command>
             {
-                const auto map = this_._folders.corpus() / "village.osm";
-                return {this_.world({"--map", map.string(), "--map", file}), this_.world({"--map", file})};
+                const auto map = maker._folders.corpus() / "village.osm";
+                return {maker.world({"--map", map.string(), "--map", file}), maker.world({"--map", file})};
             }};
     }
 
@@ -75,10 +75,10 @@ public:
     InputKind runways(seeds::Files files) const
     {
         return {"runways", std::move(files),
-                [this_ = *this](const std::string& file) -> std::vector<Command>
+                [maker = *this](const std::string& file) -> std::vector<Command>
                 {
-                    const auto map = this_._folders.corpus() / "village.osm";
-                    return {this_.world({"--map", map.string(), "--runways", file})};
+                    const auto map = maker._folders.corpus() / "village.osm";
+                    return {maker.world({"--map", map.string(), "--runways", file})};
                 }};
     }
 

@@ -43,8 +43,8 @@ TEST(PmToolFiles, AnInputThatIsNoFileIsToldSo)
         EXPECT_TRUE(failsWith(runPmTool({command, "/proc/self/mem"}), 1, "pmtool", {"/proc/self/mem: "}));
         EXPECT_TRUE(failsWith(runPmTool({command, unknown}), 1, "pmtool", {unknown, "plugin"}));
     }
-    const std::string empty_ = place.write("empty.pm", "");
-    EXPECT_TRUE(failsWith(runPmTool({"info", empty_}), 1, "pmtool", {"is empty"}));
+    const std::string emptyMesh = place.write("empty.pm", "");
+    EXPECT_TRUE(failsWith(runPmTool({"info", emptyMesh}), 1, "pmtool", {"is empty"}));
 }
 
 TEST(PmToolFiles, AWrongOptionIsNamedInWords)

@@ -14,13 +14,10 @@ class SeatSound : public testing::Test
 protected:
     ProgramRun fly(const std::string& file, const std::vector<std::string>& more = {})
     {
-        std::vector<std::string> words{"fly",        place.hill(),
-                                       "--aircraft", OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml",
-                                       "--start",    "0,0,300,90,50",
-                                       "--frames",   "10",
-                                       "--fps",      "7",
-                                       "--size",     "64x36",
-                                       "--sound",    file};
+        const std::string aircraft = OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml";
+        std::vector<std::string> words{"fly",           place.hill(), "--aircraft", aircraft, "--start",
+                                       "0,0,300,90,50", "--frames",   "10",         "--fps",  "7",
+                                       "--size",        "64x36",      "--sound",    file};
         words.insert(words.end(), more.begin(), more.end());
         return runTrainer(words);
     }

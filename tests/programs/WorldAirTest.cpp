@@ -42,8 +42,8 @@ TEST(WorldAir, LightsATourUnlessAnHourIsGiven)
     EXPECT_NE(usual, dark) << "the sun of the world file";
     EXPECT_NE(dark, moonlit) << "its moon";
     EXPECT_NE(usual, hazy) << "its air";
-    const std::vector<std::string> noon{
-        "fly", "WORLD", "--aircraft", OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml", "--time", "12:00"};
+    const std::string aircraft = OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml";
+    const std::vector<std::string> noon{"fly", "WORLD", "--aircraft", aircraft, "--time", "12:00"};
     EXPECT_EQ(pictureOf(place, "", noon), pictureOf(place, "sun = 180 -30\n", noon))
         << "the hour goes before it";
 }

@@ -120,7 +120,9 @@ TEST(BuildingFacets, APartOverAPassageIsClosedFromBelowAndLeavesThePassage)
 double uprightBelow(const BuildingFacets& facets, double heightM)
 {
     double area = 0.0;
-    for (const auto& [painting, shell] : facets.shell)
+    for (const auto& painted : facets.shell)
+    {
+        const Facets& shell = painted.second;
         for (std::size_t i = 0; i < shell.indices.size(); i += 3)
         {
             const auto at = [&](std::size_t k) { return glm::dvec3(shell.positions[shell.indices[i + k]]); };
@@ -128,6 +130,7 @@ double uprightBelow(const BuildingFacets& facets, double heightM)
             const double highestM = std::max({at(0).z, at(1).z, at(2).z});
             if (highestM < heightM + 1e-3 && std::abs(turned.z) < 1e-6) area += 0.5 * glm::length(turned);
         }
+    }
     return area;
 }
 

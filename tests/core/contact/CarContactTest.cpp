@@ -16,10 +16,10 @@ using namespace simulation;
 constexpr double kMostDepthM = 0.05;
 constexpr double kMostHighM = 3.0; ///< of the centre of mass: cars that roll over a rail at 38 m/s
 
-/// A thing of each kind, its face at the origin.
-Obstacle thingOf(ObstacleKind kind)
+/// The size of a thing of each kind.
+Obstacle sizedThing(ObstacleKind kind)
 {
-    const auto round = [&](double radiusM, double highM)
+    const auto round = [](double radiusM, double highM)
     {
         Obstacle body;
         body.isRound = true;
@@ -34,55 +34,45 @@ Obstacle thingOf(ObstacleKind kind)
         body.highM = highM;
         return body;
     };
-    Obstacle body;
     switch (kind)
     {
     case ObstacleKind::house:
-        body = box(12.0, 9.0, 6.0);
-        break;
+        return box(12.0, 9.0, 6.0);
     case ObstacleKind::wall:
-        body = box(30.0, 0.4, 1.2);
-        break;
+        return box(30.0, 0.4, 1.2);
     case ObstacleKind::fence:
-        body = box(30.0, 0.1, 1.2);
-        break;
+        return box(30.0, 0.1, 1.2);
     case ObstacleKind::guardRail:
-        body = box(30.0, 0.25, 0.75);
-        break;
+        return box(30.0, 0.25, 0.75);
     case ObstacleKind::barrier:
-        body = box(30.0, 0.6, 0.81);
-        break;
+        return box(30.0, 0.6, 0.81);
     case ObstacleKind::bridgeRail:
-        body = box(30.0, 0.4, 1.1);
-        break;
+        return box(30.0, 0.4, 1.1);
     case ObstacleKind::tunnelWall:
-        body = box(30.0, 0.6, 5.0);
-        break;
+        return box(30.0, 0.6, 5.0);
     case ObstacleKind::pillar:
-        body = round(0.6, 6.0);
-        break;
+        return round(0.6, 6.0);
     case ObstacleKind::mast:
-        body = round(0.09, 8.0);
-        break;
+        return round(0.09, 8.0);
     case ObstacleKind::post:
-        body = round(0.04, 2.2);
-        break;
+        return round(0.04, 2.2);
     case ObstacleKind::marker:
-        body = round(0.15, 0.75);
-        break;
+        return round(0.15, 0.75);
     case ObstacleKind::tree:
-        body = round(0.3, 12.0);
-        break;
+        return round(0.3, 12.0);
     case ObstacleKind::hedge:
-        body = round(1.5, 2.0);
-        break;
+        return round(1.5, 2.0);
     case ObstacleKind::vehicle:
-        body = box(4.5, 1.8, 1.46);
-        break;
+        return box(4.5, 1.8, 1.46);
     default:
-        body = box(1.0, 0.8, 0.6);
-        break;
+        return box(1.0, 0.8, 0.6);
     }
+}
+
+/// A thing of each kind, its face at the origin.
+Obstacle thingOf(ObstacleKind kind)
+{
+    Obstacle body = sizedThing(kind);
     body.kind = kind;
     body.lowM = -0.3;
     return body;

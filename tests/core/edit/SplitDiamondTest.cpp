@@ -67,8 +67,9 @@ TEST(SplitDiamond, ParentsAndChildrenAgree)
 {
     constexpr int kGridSide = 17;
     std::set<std::array<int, 4>> down, up;
-    for (const auto& [place, vertex] : Vertices(kGridSide).all)
+    for (const auto& at : Vertices(kGridSide).all)
     {
+        const auto& place = at.first;
         const SplitDiamond diamond({place.first, place.second}, kGridSide);
         diamond.forEachChild([&](GridPoint c) { down.insert({place.first, place.second, c.column, c.row}); });
         diamond.forEachParent([&](GridPoint p) { up.insert({p.column, p.row, place.first, place.second}); });

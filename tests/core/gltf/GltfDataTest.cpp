@@ -325,14 +325,13 @@ TEST(GltfData, ATextureTransformMovesTheCoordinates)
     EXPECT_LT(glm::distance(at(2), glm::vec2(4.5f, 0.25f)), 1e-6f);
 }
 
-std::string compressedView(const char* extension, int buffer, std::size_t offset, const Bytes& data,
-                           std::size_t stride, std::size_t count, const char* mode)
+std::string compressedView(const char* extension, std::size_t offset, const Bytes& data, std::size_t stride,
+                           std::size_t count, const char* mode)
 {
     return R"({"buffer":1,"byteLength":)" + std::to_string(stride * count) + R"(,"extensions":{")" +
-           extension + R"(":{"buffer":)" + std::to_string(buffer) + R"(,"byteOffset":)" +
-           std::to_string(offset) + R"(,"byteLength":)" + std::to_string(data.size()) + R"(,"byteStride":)" +
-           std::to_string(stride) + R"(,"count":)" + std::to_string(count) + R"(,"mode":")" + mode +
-           R"("}}})";
+           extension + R"(":{"buffer":0,"byteOffset":)" + std::to_string(offset) + R"(,"byteLength":)" +
+           std::to_string(data.size()) + R"(,"byteStride":)" + std::to_string(stride) + R"(,"count":)" +
+           std::to_string(count) + R"(,"mode":")" + mode + R"("}}})";
 }
 
 /// A fan of triangles about the first vertex, compressed; the text of its glTF. `damage`: the byte to change.
@@ -359,9 +358,9 @@ std::string compressedText(const char* extension, int damage = -1)
     model.view(vertices);
     const std::size_t second = model.size();
     model.view(indices);
-    const int points = model.viewOf(compressedView(extension, 0, 0, vertices, 12, kCount + 1, "ATTRIBUTES")),
-              faces = model.viewOf(
-                  compressedView(extension, 0, second, indices, 4, triangles.size(), "TRIANGLES"));
+    const int points = model.viewOf(compressedView(extension, 0, vertices, 12, kCount + 1, "ATTRIBUTES")),
+              faces =
+                  model.viewOf(compressedView(extension, second, indices, 4, triangles.size(), "TRIANGLES"));
     model.attributes = R"("POSITION":)" +
                        std::to_string(model.accessor(R"("bufferView":)" + std::to_string(points) +
                                                      R"(,"componentType":5126,"type":"VEC3","count":41)"));

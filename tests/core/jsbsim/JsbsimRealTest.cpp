@@ -15,6 +15,7 @@ namespace
 using namespace simulation;
 using namespace testsupport;
 
+// NOLINTBEGIN(bugprone-macro-parentheses): `data` is the name that is declared
 /// Declares `data`: an aircraft of JSBSim; without JSBSim the test is skipped and says so.
 #define OSGTRAINER_JSBSIM_OR_SKIP(data, aircraftName)                                                        \
     const char* const data##Program = std::getenv("OSGTRAINER_JSBSIM");                                      \
@@ -26,6 +27,7 @@ using namespace testsupport;
     data->name = data->aircraft = aircraftName;                                                              \
     data->root = data##Root;                                                                                 \
     data->program = data##Program
+// NOLINTEND(bugprone-macro-parentheses)
 
 const LevelGround kSea;
 

@@ -174,28 +174,26 @@ int listenAt(int port)
     return accept(file, nullptr, nullptr);
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+struct Arguments
 {
     std::string script, root;
+};
+
+Arguments argumentsOf(int argc, char** argv)
+{
+    Arguments arguments;
     for (int i = 1; i < argc; ++i)
     {
         const std::string option = argv[i];
-        if (option.starts_with("--script=")) script = fileText(option.substr(9));
-        if (option.starts_with("--root=")) root = option.substr(7);
+        if (option.starts_with("--script=")) arguments.script = fileText(option.substr(9));
+        if (option.starts_with("--root=")) arguments.root = option.substr(7);
     }
-    StandIn point;
-    point.mode = after(script, "aircraft=\"", "\"");
-    const std::string state = fileText(after(script, "initialize=\"", "\""));
-    if (point.mode == "notrim" && script.find("do_simple_trim") != std::string::npos)
-    {
-        std::printf("  Trim failed\n\nFATAL ERROR: it ends with an exception.\n");
-        return 1;
-    }
-    if (point.mode == "mute")
-        for (;;)
-            pause();
+    return arguments;
+}
+
+/// Gives a point the properties that there are, and the state of its file.
+void setUp(StandIn& point, const std::string& state)
+{
     for (const char* name :
          {"fcs/elevator-cmd-norm", "fcs/aileron-cmd-norm", "fcs/throttle-cmd-norm", "fcs/left-brake-cmd-norm",
           "position/terrain-elevation-asl-ft", "atmosphere/wind-north-fps", "atmosphere/wind-east-fps",
@@ -214,6 +212,12 @@ int main(int argc, char** argv)
     point.north = element(state, "vnorth");
     point.east = element(state, "veast");
     point.heading = kDegree * element(state, "psi");
+}
+
+/// Opens the file of rows; writes the names of their columns, the last of them those that the script asks
+/// for, and the first two rows.
+void beginRows(StandIn& point, const std::string& script)
+{
     point.rows = std::fopen("/dev/fd/3", "w");
     std::fprintf(
         point.rows,
@@ -235,6 +239,26 @@ int main(int argc, char** argv)
     point.writeRow();
     point.advance();
     point.writeRow();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const auto [script, root] = argumentsOf(argc, argv);
+    StandIn point;
+    point.mode = after(script, "aircraft=\"", "\"");
+    const std::string state = fileText(after(script, "initialize=\"", "\""));
+    if (point.mode == "notrim" && script.find("do_simple_trim") != std::string::npos)
+    {
+        std::printf("  Trim failed\n\nFATAL ERROR: it ends with an exception.\n");
+        return 1;
+    }
+    if (point.mode == "mute")
+        for (;;)
+            pause();
+    setUp(point, state);
+    beginRows(point, script);
     const std::string marker = root + "/port-was-lost";
     if (point.mode == "port" && access(marker.c_str(), F_OK) != 0)
     {

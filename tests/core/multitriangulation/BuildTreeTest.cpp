@@ -74,8 +74,8 @@ TEST(BuildTree, theDrainIsTheInput)
                  drawn = built.tree.corners[number]; // stars begin where their ring does
         for (std::uint32_t& corner : drawn)
             corner = built.points[corner];
-        std::ranges::rotate(own, std::ranges::min_element(own));
-        std::ranges::rotate(drawn, std::ranges::min_element(drawn));
+        std::rotate(own.begin(), std::ranges::min_element(own), own.end());
+        std::rotate(drawn.begin(), std::ranges::min_element(drawn), drawn.end());
         EXPECT_EQ(drawn, own);
     }
     for (std::size_t p = 0; p < mesh.points.size(); ++p)

@@ -51,7 +51,7 @@ TEST(Forest, hangsTogetherAndItsDrainIsTheInput)
         for (Triangle t : of.triangles)
         {
             const auto place = [&](std::uint32_t c) { return std::pair(of.points[c].x, of.points[c].y); };
-            std::ranges::rotate(t, std::ranges::min_element(t, {}, place));
+            std::rotate(t.begin(), std::ranges::min_element(t, {}, place), t.end());
             std::array<double, 9> key{};
             for (int c = 0; c < 3; ++c)
             {

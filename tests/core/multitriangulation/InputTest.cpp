@@ -38,9 +38,9 @@ TEST(Delaunay, noPointLiesInACircleAndTheHullIsCovered)
         for (int j = 0; j < 6; ++j)
             points.push_back({2000 + 10 * i, 2000 + 10 * j, 0.0});
     std::ranges::sort(points, {}, [](const SurfacePoint& p) { return std::pair(p.x, p.y); });
-    const auto same =
-        std::ranges::unique(points, {}, [](const SurfacePoint& p) { return std::pair(p.x, p.y); });
-    points.erase(same.begin(), same.end());
+    const auto isAtOnePlace = [](const SurfacePoint& p, const SurfacePoint& q)
+    { return p.x == q.x && p.y == q.y; };
+    points.erase(std::unique(points.begin(), points.end(), isAtOnePlace), points.end());
     const SurfaceMesh mesh = delaunay(points);
     EXPECT_EQ(checkInput(mesh), std::nullopt);
     for (const Triangle& t : mesh.triangles)

@@ -130,7 +130,7 @@ std::vector<std::array<std::array<double, 3>, 3>> placesOf(const SurfaceMesh& me
             const SurfacePoint& p = mesh.points[triangle[c]];
             places[c] = {double(p.x), double(p.y), p.height};
         }
-        std::ranges::rotate(places, std::ranges::min_element(places));
+        std::rotate(places.begin(), std::ranges::min_element(places), places.end());
         all.push_back(places);
     }
     std::ranges::sort(all);

@@ -290,7 +290,7 @@ std::vector<std::array<std::int32_t, 6>> planPlaces(const SurfaceMesh& mesh)
     for (Triangle t : mesh.triangles)
     {
         const auto place = [&](std::uint32_t p) { return std::pair(mesh.points[p].x, mesh.points[p].y); };
-        std::ranges::rotate(t, std::ranges::min_element(t, {}, place));
+        std::rotate(t.begin(), std::ranges::min_element(t, {}, place), t.end());
         all.push_back({place(t[0]).first, place(t[0]).second, place(t[1]).first, place(t[1]).second,
                        place(t[2]).first, place(t[2]).second});
     }

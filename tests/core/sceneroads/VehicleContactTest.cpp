@@ -176,10 +176,11 @@ private:
 /// The lowest points of the wheels that are pressed in, as they are drawn.
 std::vector<glm::dvec3> pressedGear(const models::EntityModel& aircraft, const simulation::EntityState& state)
 {
-    models::EntityMotion motion;
-    motion.aircraft.legs.emplace();
+    std::array<models::AircraftMotion::Leg, 3> legs;
     for (std::size_t leg = 0; leg < 3; ++leg)
-        (*motion.aircraft.legs)[leg] = {state.aircraft->wheelBottom[leg], state.aircraft->strutM[leg], 0.0};
+        legs[leg] = {state.aircraft->wheelBottom[leg], state.aircraft->strutM[leg], 0.0};
+    models::EntityMotion motion;
+    motion.aircraft.legs = legs;
     const auto pose = aircraft.pose(motion);
     const std::array<glm::dvec3, 3> built{glm::dvec3(1.70, 0.0, 0.0), glm::dvec3(0.0, 1.26, 0.0),
                                           glm::dvec3(0.0, -1.26, 0.0)};

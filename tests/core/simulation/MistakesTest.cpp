@@ -14,6 +14,30 @@ namespace simulation
 namespace
 {
 
+const char* const kStoriesWithoutMistakes = R"(
+<Story name="story"><Act name="act">
+<ManeuverGroup name="group" maximumExecutionCount="1">
+<Actors selectTriggeringEntities="false">
+<EntityRef entityRef="Ego"/></Actors><Maneuver name="maneuver">
+<Event name="first" priority="override" maximumExecutionCount="1">
+<Action name="brake">
+<PrivateAction><LongitudinalAction><SpeedAction><SpeedActionDynamics dynamicsShape="step" dynamicsDimension="time" value="0"/><SpeedActionTarget>
+<RelativeTargetSpeed entityRef="Lead" value="0" speedTargetValueType="delta" continuous="false"/></SpeedActionTarget></SpeedAction></LongitudinalAction></PrivateAction></Action>
+<StartTrigger>
+<ConditionGroup>
+<Condition name="near" delay="0" conditionEdge="rising"><ByEntityCondition>
+<TriggeringEntities triggeringEntitiesRule="any"><EntityRef entityRef="Ego"/></TriggeringEntities><EntityCondition>
+<RelativeDistanceCondition entityRef="Lead" value="20" freespace="true" relativeDistanceType="longitudinal" coordinateSystem="entity" rule="lessThan"/></EntityCondition></ByEntityCondition></Condition>
+</ConditionGroup></StartTrigger></Event>
+<Event name="second" priority="override" maximumExecutionCount="1">
+<Action name="change"><PrivateAction><LateralAction><LaneChangeAction>
+<LaneChangeActionDynamics dynamicsShape="sinusoidal" dynamicsDimension="time" value="3"/><LaneChangeTarget>
+<AbsoluteTargetLane value="-1"/></LaneChangeTarget></LaneChangeAction></LateralAction></PrivateAction></Action>
+<StartTrigger><ConditionGroup><Condition name="after" delay="0" conditionEdge="none"><ByValueCondition>
+<StoryboardElementStateCondition storyboardElementType="event" storyboardElementRef="first" state="endTransition"/></ByValueCondition></Condition></ConditionGroup></StartTrigger></Event>
+</Maneuver></ManeuverGroup></Act></Story>
+)";
+
 /// Every element that a mistake is made in stands on a line of its own.
 std::string textWithoutMistakes()
 {
@@ -56,29 +80,7 @@ std::string textWithoutMistakes()
 <TimeReference><Timing domainAbsoluteRelative="relative" scale="1" offset="0"/></TimeReference>
 <TrajectoryFollowingMode followingMode="position"/></FollowTrajectoryAction></RoutingAction></PrivateAction>
 )";
-    text.stories = R"(
-<Story name="story"><Act name="act">
-<ManeuverGroup name="group" maximumExecutionCount="1">
-<Actors selectTriggeringEntities="false">
-<EntityRef entityRef="Ego"/></Actors><Maneuver name="maneuver">
-<Event name="first" priority="override" maximumExecutionCount="1">
-<Action name="brake">
-<PrivateAction><LongitudinalAction><SpeedAction><SpeedActionDynamics dynamicsShape="step" dynamicsDimension="time" value="0"/><SpeedActionTarget>
-<RelativeTargetSpeed entityRef="Lead" value="0" speedTargetValueType="delta" continuous="false"/></SpeedActionTarget></SpeedAction></LongitudinalAction></PrivateAction></Action>
-<StartTrigger>
-<ConditionGroup>
-<Condition name="near" delay="0" conditionEdge="rising"><ByEntityCondition>
-<TriggeringEntities triggeringEntitiesRule="any"><EntityRef entityRef="Ego"/></TriggeringEntities><EntityCondition>
-<RelativeDistanceCondition entityRef="Lead" value="20" freespace="true" relativeDistanceType="longitudinal" coordinateSystem="entity" rule="lessThan"/></EntityCondition></ByEntityCondition></Condition>
-</ConditionGroup></StartTrigger></Event>
-<Event name="second" priority="override" maximumExecutionCount="1">
-<Action name="change"><PrivateAction><LateralAction><LaneChangeAction>
-<LaneChangeActionDynamics dynamicsShape="sinusoidal" dynamicsDimension="time" value="3"/><LaneChangeTarget>
-<AbsoluteTargetLane value="-1"/></LaneChangeTarget></LaneChangeAction></LateralAction></PrivateAction></Action>
-<StartTrigger><ConditionGroup><Condition name="after" delay="0" conditionEdge="none"><ByValueCondition>
-<StoryboardElementStateCondition storyboardElementType="event" storyboardElementRef="first" state="endTransition"/></ByValueCondition></Condition></ConditionGroup></StartTrigger></Event>
-</Maneuver></ManeuverGroup></Act></Story>
-)";
+    text.stories = kStoriesWithoutMistakes;
     text.stop = stopAt(9.0);
     return text.text();
 }

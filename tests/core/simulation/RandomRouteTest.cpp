@@ -15,13 +15,21 @@ namespace simulation
 namespace
 {
 
-std::string linked(const std::string& id, const std::string& start, double length, const std::string& shape,
-                   const std::string& link, const std::string& junction = "-1", const std::string& kind = "")
+/// The reference line of a road.
+struct RoadCourse
 {
-    return "<road id=\"" + id + "\" length=\"" + std::to_string(length) + "\" junction=\"" + junction +
+    std::string start;
+    double length;
+    std::string shape;
+};
+
+std::string linked(const std::string& id, const RoadCourse& course, const std::string& link,
+                   const std::string& junction = "-1", const std::string& kind = "")
+{
+    return "<road id=\"" + id + "\" length=\"" + std::to_string(course.length) + "\" junction=\"" + junction +
            "\"><link>" + link + "</link>" + kind + "<planView>" +
-           roadtexts::geometry("s=\"0\" " + start, length, shape) + "</planView>" + roadtexts::twoLanes() +
-           "</road>\n";
+           roadtexts::geometry("s=\"0\" " + course.start, course.length, course.shape) + "</planView>" +
+           roadtexts::twoLanes() + "</road>\n";
 }
 
 std::string connection(const std::string& id, const std::string& road)
@@ -34,10 +42,10 @@ roadplay::Roads fork()
 {
     const std::string back = R"(<predecessor elementType="road" elementId="1" contactPoint="end"/>)";
     return std::make_shared<const RoadScene>(roadtexts::sound(roadtexts::network(
-        linked("1", R"(x="0" y="0" hdg="0")", 100.0, "<line/>",
+        linked("1", {R"(x="0" y="0" hdg="0")", 100.0, "<line/>"},
                R"(<successor elementType="junction" elementId="9"/>)") +
-        linked("2", R"(x="100" y="0" hdg="0")", 100.0, "<line/>", back, "9") +
-        linked("3", R"(x="100" y="0" hdg="0")", 50.0, R"(<arc curvature="0.02"/>)", back, "9") +
+        linked("2", {R"(x="100" y="0" hdg="0")", 100.0, "<line/>"}, back, "9") +
+        linked("3", {R"(x="100" y="0" hdg="0")", 50.0, R"(<arc curvature="0.02"/>)"}, back, "9") +
         "<junction id=\"9\" name=\"j\">" + connection("0", "2") + connection("1", "3") + "</junction>\n")));
 }
 
@@ -87,17 +95,17 @@ roadplay::Roads twoWays()
     return std::make_shared<const RoadScene>(
         osgRoads::core::parseNetwork(
             roadtexts::network(
-                linked("1", R"(x="0" y="0" hdg="0")", 100.0, "<line/>",
+                linked("1", {R"(x="0" y="0" hdg="0")", 100.0, "<line/>"},
                        R"(<successor elementType="junction" elementId="9"/>)") +
-                linked("2", R"(x="100" y="0" hdg="0")", 100.0, "<line/>", between("1", "6"), "9",
+                linked("2", {R"(x="100" y="0" hdg="0")", 100.0, "<line/>"}, between("1", "6"), "9",
                        limit("30")) +
-                linked("3", R"(x="100" y="0" hdg="0")", 40.0, "<line/>", between("1", "4"), "9",
+                linked("3", {R"(x="100" y="0" hdg="0")", 40.0, "<line/>"}, between("1", "4"), "9",
                        limit("100")) +
-                linked("4", R"(x="140" y="0" hdg="0")", 40.0, "<line/>", between("3", "5"), "7",
+                linked("4", {R"(x="140" y="0" hdg="0")", 40.0, "<line/>"}, between("3", "5"), "7",
                        limit("100")) +
-                linked("5", R"(x="180" y="0" hdg="0")", 40.0, "<line/>", between("4", "6"), "-1",
+                linked("5", {R"(x="180" y="0" hdg="0")", 40.0, "<line/>"}, between("4", "6"), "-1",
                        limit("100")) +
-                linked("6", R"(x="220" y="0" hdg="0")", 50.0, "<line/>",
+                linked("6", {R"(x="220" y="0" hdg="0")", 50.0, "<line/>"},
                        R"(<predecessor elementType="road" elementId="5" contactPoint="end"/>)") +
                 "<junction id=\"9\" name=\"j\">" + connection("0", "2") + connection("1", "3") +
                 "</junction>\n"),

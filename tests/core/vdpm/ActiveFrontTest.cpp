@@ -27,7 +27,7 @@ std::set<Triangle> facesOf(const ActiveFront& front)
         Triangle t;
         for (int c = 0; c < 3; ++c)
             t[c] = front.forest().original[front.vertexAt(front.faceAt(slot).corners[c])];
-        std::ranges::rotate(t, std::ranges::min_element(t));
+        std::rotate(t.begin(), std::ranges::min_element(t), t.end());
         faces.insert(t);
     }
     return faces;
@@ -36,7 +36,7 @@ std::set<Triangle> facesOf(const ActiveFront& front)
 std::set<Triangle> facesOf(std::vector<Triangle> triangles)
 {
     for (Triangle& t : triangles)
-        std::ranges::rotate(t, std::ranges::min_element(t));
+        std::rotate(t.begin(), std::ranges::min_element(t), t.end());
     return {triangles.begin(), triangles.end()};
 }
 

@@ -91,7 +91,8 @@ protected:
     {
         viewlod::Slice unlimited({});
         RefineResult result;
-        EXPECT_TRUE(driver->refine(SplitCriterion(view, tolerancePx, seen), kAnyFaces, unlimited, result));
+        const SplitCriterion criterion(view, tolerancePx, std::move(seen));
+        EXPECT_TRUE(driver->refine(criterion, kAnyFaces, unlimited, result));
         return driver->front().faceCount();
     }
 

@@ -213,7 +213,7 @@ TEST(WriteNetwork, TellsWhatItWouldLose)
 {
     const testsupport::TestFolder folder("streets");
     Streets streets = streetsOf(village(), hillside);
-    streets.network.roads[0].signals.emplace_back().post.emplace();
+    streets.network.roads[0].signals.emplace_back().post = Signal::Post{};
     const auto written = writeNetwork(streets.network, folder / "lost.xodr");
     ASSERT_FALSE(written);
     EXPECT_NE(

@@ -153,7 +153,8 @@ MadeMap litCrossing(const MadeMap::MapTags& middle, const std::vector<MadeMap::M
 
 TEST(StreetSignals, ALightAtTheMiddleIsForAllWhoCome)
 {
-    const auto [network, report] = networkOf(litCrossing(kLight));
+    const MadeNetwork made = networkOf(litCrossing(kLight));
+    const auto& network = made.network;
     const auto lights = signalsOf(network, "1000001");
     ASSERT_EQ(lights.size(), 4u);
     for (const PlacedSignal& light : lights)
@@ -172,8 +173,8 @@ TEST(StreetSignals, ALightAtTheMiddleIsForAllWhoCome)
                             [&](const auto& junction)
                             { return junction.controllerIds == std::vector{network.controllers[0].id}; }),
               1);
-    EXPECT_EQ(report.litPlaces, 1u);
-    EXPECT_EQ(report.trafficLights, 4u);
+    EXPECT_EQ(made.report.litPlaces, 1u);
+    EXPECT_EQ(made.report.trafficLights, 4u);
     expectTwoStages(network);
 }
 

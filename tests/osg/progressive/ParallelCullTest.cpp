@@ -66,7 +66,7 @@ osg::ref_ptr<ProgressiveField> field()
         add(method);
     add(SelectionMethod::budget);
     osg::ref_ptr<ProgressiveField> made = new ProgressiveField;
-    EXPECT_TRUE(made->setContents(std::move(kinds), std::move(instances)));
+    EXPECT_TRUE(made->setContents(std::move(kinds), instances));
     return made;
 }
 

@@ -232,7 +232,7 @@ TEST_F(DamagedSceneFile, SaysWhatIsWrong)
 TEST_F(DamagedSceneFile, IsFoundByTheCheckSums)
 {
     const std::size_t from = text.find("Levels "),
-                      digits = text.find_first_of("abcdef", text.find("{", from));
+                      digits = text.find_first_of("abcdef", text.find('{', from));
     ASSERT_NE(digits, std::string::npos);
     for (const std::size_t at : {digits + 401, digits + 1001, digits + 4002, digits + 8001})
     {

@@ -48,24 +48,32 @@ osg::ref_ptr<osg::Geode> leaves(bool hasGap)
     return geode;
 }
 
+/// What casts shadows, and how.
+struct Casting
+{
+    bool hasShadows = true;
+    osgSky::SunShadowSettings maps{};
+    unsigned int mask = ~0U; ///< of the caster's node
+    osg::ref_ptr<osg::Geode> caster = post();
+};
+
 /// A picture of the post on a plain with the sun in the east, and where places on the plain are in it.
 class Picture
 {
 public:
-    Picture(double sunDeg, const glm::dvec3& eye, const glm::dvec3& at, bool hasShadows = true,
-            const osgSky::SunShadowSettings& maps = {}, unsigned int postMask = ~0U,
-            const osg::ref_ptr<osg::Geode>& caster = post())
+    Picture(double sunDeg, const glm::dvec3& eye, const glm::dvec3& at, const Casting& casting = {})
     {
         osgSky::AtmosphereSettings air;
         air.sunDirectionWorld = osgSky::sunDirectionFromAngles(90.0, sunDeg);
         const rendered::ViewScene scene(air);
-        const osg::ref_ptr<osgSky::SunShadows> sunlit = new osgSky::SunShadows(scene.atmosphere, maps);
-        sunlit->setShown(hasShadows);
+        const osg::ref_ptr<osgSky::SunShadows> sunlit =
+            new osgSky::SunShadows(scene.atmosphere, casting.maps);
+        sunlit->setShown(casting.hasShadows);
         const osg::ref_ptr<osg::Node> ground = scene.root->getChild(1);
         scene.root->removeChild(ground);
         sunlit->addChild(ground);
-        caster->setNodeMask(postMask);
-        sunlit->addChild(caster);
+        casting.caster->setNodeMask(casting.mask);
+        sunlit->addChild(casting.caster);
         scene.root->addChild(sunlit);
         osgOffscreen::OffscreenSettings settings;
         settings.backend = osgOffscreen::defaultBackend();
@@ -151,16 +159,16 @@ TEST(SunShadowMaps, TheShadowStaysWhenTheEyeMovesAndTurns)
 
 TEST(SunShadowMaps, WithoutSunOrSwitchedOffThereIsNone)
 {
-    EXPECT_FALSE(Picture(50.0, kEye, kAt, false).shadowEnd());
+    EXPECT_FALSE(Picture(50.0, kEye, kAt, {.hasShadows = false}).shadowEnd());
     EXPECT_FALSE(Picture(-5.0, kEye, kAt).shadowEnd());
 }
 
 TEST(SunShadowMaps, LeavesCastTheShadowOfWhatIsSeenOfThem)
 {
-    const Picture cut(50.0, kEye, kAt, true, {}, ~0U, leaves(true));
+    const Picture cut(50.0, kEye, kAt, {.caster = leaves(true)});
     EXPECT_TRUE(cut.isDark(3.0, 0.5));
     EXPECT_FALSE(cut.isDark(3.0, -0.5)) << "the sun shines through the half that is cut out";
-    EXPECT_TRUE(Picture(50.0, kEye, kAt, true, {}, ~0U, leaves(false)).isDark(3.0, -0.5)) << "the control";
+    EXPECT_TRUE(Picture(50.0, kEye, kAt, {.caster = leaves(false)}).isDark(3.0, -0.5)) << "the control";
 }
 
 TEST(SunShadowMaps, WhatMovesIsInTheNearestMapsAlone)
@@ -169,9 +177,9 @@ TEST(SunShadowMaps, WhatMovesIsInTheNearestMapsAlone)
     osgSky::SunShadowSettings maps;
     maps.cellShare = 0.125;
     maps.movingMaps = 1;
-    EXPECT_TRUE(Picture(50.0, kEye, kAt, true, maps, osgSky::SunShadows::kMoves).shadowEnd())
+    EXPECT_TRUE(Picture(50.0, kEye, kAt, {.maps = maps, .mask = osgSky::SunShadows::kMoves}).shadowEnd())
         << "near, it casts one";
     maps.movingMaps = 0;
-    EXPECT_FALSE(Picture(50.0, kEye, kAt, true, maps, osgSky::SunShadows::kMoves).shadowEnd());
-    EXPECT_TRUE(Picture(50.0, kEye, kAt, true, maps).shadowEnd()) << "what stands casts into all";
+    EXPECT_FALSE(Picture(50.0, kEye, kAt, {.maps = maps, .mask = osgSky::SunShadows::kMoves}).shadowEnd());
+    EXPECT_TRUE(Picture(50.0, kEye, kAt, {.maps = maps}).shadowEnd()) << "what stands casts into all";
 }
