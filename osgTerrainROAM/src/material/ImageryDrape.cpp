@@ -14,6 +14,7 @@
 #include "../core/cover/PixelNet.h"
 #include "../core/heightfield/DatasetPtr.h"
 #include "../core/heightfield/GdalSession.h"
+#include "../core/heightfield/RasterOrientation.h"
 #include "ParallelRows.h"
 
 namespace osgTerrainROAM
@@ -192,6 +193,7 @@ Result<ImageryLayer> laid(const std::filesystem::path& file, const core::PlacedT
                      "give an image or a georeferenced raster"};
     const auto net = core::PixelNet::make(*dataset, tile, name);
     if (!net) return net.error();
+    core::noteSouthUp(GDALDataset::ToHandle(dataset.get()), session);
     const glm::dvec2 size(dataset->GetRasterXSize(), dataset->GetRasterYSize());
     const GridBox box = overAll ? wholeGrid(tile) : gridOf(*net, tile, size);
     const Error nothing{name, "covers nothing of the terrain", "give an imagery of the same place"};

@@ -10,6 +10,7 @@
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include "RasterWriter.h"
+#include "SetScaleY.h"
 #include "SyntheticField.h"
 #include "UnsortedTags.h"
 
@@ -100,6 +101,22 @@ TEST(ImageryDrape, ALayerReachesAsFarAsItsImageryAndKeepsItsResolution)
     EXPECT_NEAR(texelAt(*layer->image, 0.5, 0.5)[0], 29.5 * 2.0 + 24.5 * 2.5, 4);
     writeImagery(folder / "far.tif", 300000.0, 4000000.0);
     EXPECT_FALSE(imageryLayer(folder / "far.tif", tile));
+}
+
+TEST(ImageryDrape, RowsFromSouthToNorthLieWhereTheyBelong)
+{
+    const TemporaryFolder folder;
+    const auto tile = geographicTile(folder);
+    const double eastM = 422567.8 - 300.0, northM = 5094533.6 - 300.0;
+    writeImagery(folder / "image.tif", eastM, northM);
+    const auto north = imageryDrape(folder / "image.tif", tile);
+    // The same pixels with a negative scale lie upside down.
+    testsupport::setScaleY(folder / "image.tif", -30.0, northM);
+    const auto south = imageryDrape(folder / "image.tif", tile);
+    ASSERT_TRUE(north && south);
+    const double low = texelAt(**north, 0.2, 0.1)[0], high = texelAt(**north, 0.2, 0.4)[0];
+    EXPECT_NEAR(high - low, 0.3 * 30 * 92.6 / 30.0 * 2.5, 6);
+    EXPECT_NEAR(texelAt(**south, 0.2, 0.1)[0] - texelAt(**south, 0.2, 0.4)[0], high - low, 6);
 }
 
 namespace
