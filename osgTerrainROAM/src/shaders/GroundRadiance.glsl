@@ -171,16 +171,17 @@ vec3 groundRadiance(vec3 directionWorld)
     vec2 bent = tilt - bumps(level, bumpiness, roughness, ground.a * (1.0 - snow)) - detail.xy * (1.0 - cliff);
     vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))) - cliff * (upright.x * cliffAlong + vec3(0.0, 0.0, upright.y)));
 
-    vec3 normalWorld = terrainWorldFromLocal * normal;
+    vec3 normalWorld = terrainWorldFromLocal * normal, levelWorld = terrainWorldFromLocal * vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02)));
     float sunlit = max(dot(normalWorld, sunDirection()), 0.0);
     // Where no shadow is known, ground that sees little of the sky sees little of the sun.
-    sunlit *= sunShare(directionWorld * length(fromEye), terrainWorldFromLocal * vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02))),
-                       smoothstep(0.15, 0.6, land.a));
+    sunlit *= sunShare(directionWorld * length(fromEye), levelWorld, smoothstep(0.15, 0.6, land.a));
     float skyShare = land.a * (1.0 - kCrowns * kinds.other.y);
-    vec3 colour = albedo * (lightOn(normalWorld, sunlit, skyShare) + headLight(directionWorld * length(fromEye), normalWorld));
+    // Head lamps graze the ground: bumps that look away from them get the light of those beside them.
+    vec3 facingLamps = mix(levelWorld, normalWorld, 0.2);
+    vec3 colour = albedo * (lightOn(normalWorld, sunlit, skyShare) + headLight(directionWorld * length(fromEye), facingLamps));
 #if defined(SURFACE_WEATHER) && defined(TERRAIN_FEATURES)
     float hollow = 0.5 + g.metres28.z + 0.6 * g.metres2.w;
-    colour = filmOfWater(colour, directionWorld, terrainWorldFromLocal * vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02))),
+    colour = filmOfWater(colour, directionWorld, levelWorld,
                          0.8 * sealed * min(4.0 * surfaceWeather.x, 1.0) * smoothstep(0.95 - surfaceWeather.x, 1.30 - surfaceWeather.x, hollow));
 #endif
     // No branch: software drawing leaves out a loop that no pixel of a group enters.
