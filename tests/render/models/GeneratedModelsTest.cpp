@@ -72,10 +72,11 @@ Looks looksOf(const Model& model)
     return {looks.covered / (kWidthPx * kHeightPx), looks.black / seen, looks.holes / seen};
 }
 
-bool isSound(const Looks& looks)
+constexpr double kMostHoles = 0.01, kMostAtWings = 0.015; ///< edges of wings are thinner than a pixel
+
+bool isSound(const Looks& looks, double mostHoles = kMostHoles)
 {
-    return looks.covered > 0.02 && looks.covered < 0.6 && looks.black < 0.01 &&
-           looks.holes < 0.015; // edges of wings are thinner than a pixel
+    return looks.covered > 0.02 && looks.covered < 0.6 && looks.black < 0.01 && looks.holes < mostHoles;
 }
 
 std::string textOf(const Looks& looks)
@@ -91,7 +92,8 @@ TEST(GeneratedModels, AreSeenLitAndWithoutHoles)
     for (const KindFacts& facts : kinds())
     {
         const Looks looks = looksOf(generate(facts.kind, 2));
-        EXPECT_TRUE(isSound(looks)) << facts.name << ": " << textOf(looks);
+        const double mostHoles = facts.kind == Kind::airliner ? kMostAtWings : kMostHoles;
+        EXPECT_TRUE(isSound(looks, mostHoles)) << facts.name << ": " << textOf(looks);
     }
 }
 
