@@ -22,9 +22,13 @@ struct StopOnWay
 class StopFinder
 {
 public:
-    /// `servedM`: the way to a sign that does not count any more.
-    StopFinder(const ActionScene& scene, const EntityMotion& motion, std::optional<double> servedM)
-        : _scene(scene), _roads(*scene.roads()), _motion(motion), _servedM(servedM)
+    /// `signs`: where it has stopped; those do not count any more. `frontM`: of its box, before its place.
+    StopFinder(const ActionScene& scene, const EntityMotion& motion, const StopAtSign* signs, double frontM)
+        : _scene(scene),
+          _roads(*scene.roads()),
+          _motion(motion),
+          _signs(signs),
+          _originM(motion.state().odometerM - frontM)
     {
     }
 
@@ -66,16 +70,15 @@ private:
 
     bool holds(const RoadStop& stop, const StopOnWay& found) const
     {
-        constexpr double kSameLineM = 3.0;
-        if (found.isSign) return !_servedM || std::fabs(found.wayM - *_servedM) > kSameLineM;
-        const auto state = _scene.signalStates().find(stop.signal);
-        return state != _scene.signalStates().end() && !letsPass(state->second);
+        if (found.isSign) return !_signs || !_signs->hasServed(_originM + found.wayM);
+        return holdsBack(_scene.signalStates(), stop.signal);
     }
 
     const ActionScene& _scene;
     const RoadScene& _roads;
     const EntityMotion& _motion;
-    std::optional<double> _servedM;
+    const StopAtSign* _signs;
+    double _originM; ///< of ways, by the odometer of its front
 };
 
 } // namespace
@@ -86,12 +89,10 @@ std::optional<StopAhead> stopAhead(ActionScene& scene, int actor, const StopSear
     if (!scene.roads() || !motion.state().place) return std::nullopt;
     const BoundingBox& box = scene.scenario().entities[static_cast<std::size_t>(actor)].box();
     const double frontM = box.centre.x + 0.5 * box.lengthM;
-    std::optional<double> servedM;
-    if (search.servedSignM) servedM = *search.servedSignM - motion.state().odometerM + frontM;
-    const auto stop = StopFinder(scene, motion, servedM).find(search.lookAheadM + frontM);
+    const auto stop = StopFinder(scene, motion, search.signs, frontM).find(search.lookAheadM + frontM);
     if (!stop || stop->wayM < frontM) return std::nullopt;
-    const double gapM = stop->wayM - frontM, speed = motion.state().speedMps;
-    if (speed * speed > 2.0 * search.brakesMps2 * gapM && gapM > 0.0 && speed > 1.0) return std::nullopt;
+    const double gapM = stop->wayM - frontM;
+    if (comesTooLate(gapM, motion.state().speedMps, search.brakesMps2)) return std::nullopt;
     return StopAhead{gapM, stop->isSign};
 }
 

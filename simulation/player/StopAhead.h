@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "simulation/player/actions/RunningAction.h"
+#include "simulation/road/StopAtSign.h"
 
 namespace simulation
 {
@@ -19,8 +20,9 @@ struct StopAhead
 struct StopSearch
 {
     double lookAheadM = 0.0;
-    double brakesMps2 = 0.0;                ///< a line for which it would have to brake harder is passed
-    std::optional<double> servedSignM = {}; ///< odometer of its front at a sign where it has already stopped
+    double brakesMps2 = 0.0; ///< a line for which it would have to brake harder is passed
+    /// where it has already stopped, by the odometer of its front; or null
+    const StopAtSign* signs = nullptr;
 };
 
 /// Returns the next line at which an entity has to stop; nothing: the way is free.

@@ -95,4 +95,10 @@ bool letsPass(const std::string& state)
     return last != std::string::npos && state.substr(last + 1) == "on";
 }
 
+bool holdsBack(const std::map<std::string, std::string>& states, const std::string& signal)
+{
+    const auto found = states.find(signal);
+    return found != states.end() && !letsPass(found->second);
+}
+
 } // namespace simulation

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,5 +42,9 @@ bool isAmber(const std::string& state);
 /// Whether a traffic light lets pass: a word with green, `go`, `off`, or the last of its lamps is `on`
 /// (`off;off;on`).
 bool letsPass(const std::string& state);
+
+/// Whether a traffic light stops those who come, by the states of all lights by id; one without a state lets
+/// pass.
+bool holdsBack(const std::map<std::string, std::string>& states, const std::string& signal);
 
 } // namespace simulation

@@ -22,6 +22,7 @@ Driver::Driver(const RoadVehicle& vehicle, DriverPath path, const DriverSettings
     : _vehicle(vehicle),
       _path(std::move(path)),
       _settings(settings),
+      _signs(settings.waitS),
       _understeer(understeerOf(vehicle.data())),
       _wishMps(settings.speedMps),
       _gentleMps(settings.speedMps)
@@ -65,7 +66,7 @@ void Driver::resume(const ControlView& /*view*/, std::span<const double> /*input
     _hasBegun = false;
     _held = _offsetM = _wantedOffsetM = 0.0;
     _nextStop = 0;
-    _waitedS = 0.0;
+    _signs = StopAtSign(_settings.waitS);
 }
 
 void Driver::control(const ControlView& view, std::span<double> inputs)

@@ -7,6 +7,7 @@
 
 #include "simulation/control/VehicleController.h"
 #include "simulation/control/driver/DriverPath.h"
+#include "simulation/road/StopAtSign.h"
 #include "simulation/vehicle/road/HandShift.h"
 
 namespace simulation
@@ -83,6 +84,7 @@ private:
     const RoadVehicle& _vehicle;
     DriverPath _path;
     DriverSettings _settings;
+    StopAtSign _signs; ///< by places along the way
     HandShift _hand;
     DriverPath::Beside _beside;
     double _understeer = 0.0, _worstM = 0.0;
@@ -90,7 +92,6 @@ private:
     double _referenceMps = 0.0, _held = 0.0;
     double _wishMps, _gentleMps; ///< the speed that is wanted, and on the way down to it
     std::size_t _nextStop = 0;
-    double _waitedS = 0.0;
     bool _hasBegun = false, _isDone = false;
     bool _isLed = false; ///< beside its way, where somebody else wants it
     std::string_view _phase = "drive";

@@ -29,29 +29,17 @@ void Driver::lookAtStops(const ControlView& view, double speedMps, Ahead& ahead)
     const double front = _beside.alongM + lengthAhead(_vehicle.data());
     const std::vector<DriverStop>& stops = _path.stops();
     while (_nextStop < stops.size() && stops[_nextStop].atM < front - 2.0)
-    {
         ++_nextStop;
-        _waitedS = 0.0;
-    }
     if (_nextStop < stops.size())
     {
         const DriverStop& stop = stops[_nextStop];
         const double gap = stop.atM - front;
-        bool isFree = _waitedS >= _settings.waitS;
-        if (!stop.signal.empty())
-        {
-            isFree = true;
-            if (view.traffic.signalStates)
-                if (const auto found = view.traffic.signalStates->find(stop.signal);
-                    found != view.traffic.signalStates->end())
-                    isFree = letsPass(found->second);
-            // Too late to stop for it.
-            if (!isFree && gap < speedMps * speedMps / (2.0 * 2.0 * _settings.brakeMps2))
-                isFree = speedMps > 3.0;
-        }
-        else if (speedMps < kStandsMps && gap < 2.0)
-            _waitedS += RoadVehicle::kStepS;
-        if (!isFree && gap + _settings.gapM - 1.0 < ahead.gapM)
+        constexpr double kBrakes = 2.0; // of the comfortable deceleration, for a line that comes late
+        const bool holds = !comesTooLate(gap, speedMps, kBrakes * _settings.brakeMps2) &&
+                           (stop.signal.empty() ? _signs.holds(stop.atM, gap, speedMps, RoadVehicle::kStepS)
+                                                : view.traffic.signalStates &&
+                                                      holdsBack(*view.traffic.signalStates, stop.signal));
+        if (holds && gap + _settings.gapM - 1.0 < ahead.gapM)
         {
             ahead = {gap + _settings.gapM - 1.0, 0.0};
             _phase = "stop";

@@ -110,25 +110,13 @@ private:
     /// The gap to the next stop sign, unless it has stood there; of one that keeps the rules.
     std::optional<double> signAhead(ActionScene& scene, int actor, std::optional<double> gapM)
     {
-        constexpr double kSameSignM = 3.0;
-        if (!gapM) return std::nullopt;
-        const double atM = scene.motion(actor).state().odometerM + *gapM;
-        if (_servedSignM && std::fabs(atM - *_servedSignM) < kSameSignM) return std::nullopt;
-        if (_speedMps > 1.0 && _speedMps * _speedMps > 2.0 * kBrakes * _decelerationMps2 * *gapM)
-            return std::nullopt;
-        return stand(scene, actor, *gapM);
+        if (!gapM || comesTooLate(*gapM, _speedMps, kBrakes * _decelerationMps2)) return std::nullopt;
+        return heldBySign(scene, actor, *gapM) ? gapM : std::nullopt;
     }
 
-    /// At a sign it stands for a while, and then goes on.
-    std::optional<double> stand(ActionScene& scene, int actor, double gapM)
+    bool heldBySign(ActionScene& scene, int actor, double gapM)
     {
-        constexpr double kStandingMps = 0.2, kAtLineM = 3.0, kLookS = 1.5;
-        if (_speedMps >= kStandingMps || gapM >= kAtLineM) return gapM;
-        _waitedS += scene.stepS();
-        if (_waitedS < kLookS) return gapM;
-        _waitedS = 0.0;
-        _servedSignM = scene.motion(actor).state().odometerM + gapM;
-        return std::nullopt;
+        return _signs.holds(scene.motion(actor).state().odometerM + gapM, gapM, _speedMps, scene.stepS());
     }
 
     /// The gap to the next line at which it has to stop.
@@ -136,9 +124,9 @@ private:
     {
         constexpr double kLineM = 100.0;
         if (!mayHaveToStop(scene)) return std::nullopt;
-        const auto stop = stopAhead(scene, actor, {kLineM, kBrakes * _decelerationMps2, _servedSignM});
-        if (!stop) return std::nullopt;
-        return stop->isSign ? stand(scene, actor, stop->gapM) : std::optional(stop->gapM);
+        const auto stop = stopAhead(scene, actor, {kLineM, kBrakes * _decelerationMps2, &_signs});
+        if (!stop || (stop->isSign && !heldBySign(scene, actor, stop->gapM))) return std::nullopt;
+        return stop->gapM;
     }
 
     bool mayHaveToStop(const ActionScene& scene)
@@ -159,9 +147,8 @@ private:
     bool _keepsRules, _givesWay;
     bool _hasTouched = false;        ///< a stranger
     std::unique_ptr<WayDriver> _way; ///< of one that keeps the rules, once it has looked
-    double _waitedS = 0.0;           ///< at the sign ahead
-    std::optional<double> _servedSignM;
-    std::optional<bool> _hasSigns; ///< in the network; nothing: not looked for yet
+    StopAtSign _signs;               ///< by the odometer of its front
+    std::optional<bool> _hasSigns;   ///< in the network; nothing: not looked for yet
 };
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "simulation/player/EntityBox.h"
+#include "simulation/road/StopAtSign.h"
 #include "simulation/road/StopSignals.h"
 
 namespace simulation
@@ -140,7 +141,7 @@ void WayDriver::measure(ActionScene& scene, double speedMps)
 void WayDriver::lookAtLines(const ActionScene& scene, WayAdvice& advice)
 {
     constexpr double kBeforeLineM = 1.0;
-    constexpr double kAmberMps2 = 4.0, kRedMps2 = 8.0, kCreepsMps = 1.0; ///< of one who stops at a light
+    constexpr double kAmberMps2 = 4.0, kRedMps2 = 8.0; ///< of one who stops at a light
     const double speedMps = _own->speedMps;
     std::optional<double> redAtM;
     for (const DrivenWay::Line& line : _way.lines())
@@ -151,7 +152,7 @@ void WayDriver::lookAtLines(const ActionScene& scene, WayAdvice& advice)
         const std::string* const state = lightState(scene, line);
         if (!state || letsPass(*state) || redAtM) continue;
         const double brakesMps2 = isAmber(*state) ? kAmberMps2 : kRedMps2;
-        if (speedMps > kCreepsMps && speedMps * speedMps > 2.0 * brakesMps2 * gapM) continue;
+        if (comesTooLate(gapM, speedMps, brakesMps2)) continue;
         if (goesOnAmber(scene, line, *state)) continue;
         redAtM = line.alongM;
         advice.lightM = gapM - kBeforeLineM;

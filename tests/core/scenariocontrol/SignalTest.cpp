@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights and stop signs on the way of a driver, and of traffic.
 #include "ControlPlay.h"
+#include "simulation/road/StopAtSign.h"
 #include "simulation/road/StopSignals.h"
 
 namespace
@@ -81,27 +82,72 @@ TEST(SignalsAhead, TrafficDrivesThroughALightThatTurnsTooLate)
     EXPECT_NEAR(ego(*player).position.x, 100.0 + 15.0 * 20.0, 2.0);
 }
 
-TEST(SignalsAhead, TrafficStopsAtASignLooksAndGoesOn)
+/// How somebody came to the stop sign and went on, in steps of 0.1 s.
+struct AtSign
 {
-    simulation::ScenarioText text = followed(15.0);
+    double slowestMps = 1e9, stoodAtM = 0.0, stoodS = 0.0, endM = 0.0;
+};
+
+AtSign stopsAtSign(simulation::ScenarioText text)
+{
     text.globals = light("green");
     auto player = played(text, 25.0, withSignals());
-    ASSERT_TRUE(player);
-    double slowestMps = 15.0, stoodAtM = 0.0, stoodS = 0.0;
+    AtSign seen;
+    if (!player) return seen;
     for (double timeS = 25.1; timeS < 90.0; timeS += 0.1)
     {
         playTo(*player, timeS);
         const double speedMps = ego(*player).speedMps;
-        if (speedMps < 0.2) stoodS += 0.1;
-        if (speedMps >= slowestMps) continue;
-        slowestMps = speedMps;
-        stoodAtM = ego(*player).position.x;
+        if (speedMps < 0.2) seen.stoodS += 0.1;
+        if (speedMps >= seen.slowestMps) continue;
+        seen.slowestMps = speedMps;
+        seen.stoodAtM = ego(*player).position.x;
     }
-    EXPECT_LT(slowestMps, 0.2);
-    EXPECT_NEAR(stoodAtM + 3.9, 599.0, 1.0);
-    EXPECT_GT(stoodS, 1.4);
-    EXPECT_LT(stoodS, 4.0);
-    EXPECT_GT(ego(*player).position.x, 700.0);
+    seen.endM = ego(*player).position.x;
+    return seen;
+}
+
+TEST(SignalsAhead, TrafficStopsAtASignLooksAndGoesOn)
+{
+    const AtSign seen = stopsAtSign(followed(15.0));
+    EXPECT_LT(seen.slowestMps, 0.2);
+    EXPECT_NEAR(seen.stoodAtM + 3.9, 599.0, 1.0);
+    EXPECT_GT(seen.stoodS, 1.4);
+    EXPECT_LT(seen.stoodS, 4.0);
+    EXPECT_GT(seen.endM, 700.0);
+}
+
+TEST(SignalsAhead, ADriverStopsAtASignByTheSameRule)
+{
+    const AtSign seen = stopsAtSign(driven(15.0));
+    EXPECT_LT(seen.slowestMps, 0.2);
+    EXPECT_LT(seen.stoodAtM + 3.0, 600.0); // its front is 3 to 4 m ahead
+    EXPECT_GT(seen.stoodAtM + 4.0, 598.0);
+    EXPECT_GT(seen.stoodS, 1.4);
+    EXPECT_LT(seen.stoodS, 4.0);
+    EXPECT_GT(seen.endM, 700.0);
+}
+
+TEST(SignalsAhead, WhoHasStoodAtASignIsNotHeldByItAgain)
+{
+    simulation::StopAtSign rule(1.0);
+    double heldS = 0.0;
+    while (heldS < 60.0 && rule.holds(100.0, 1.0, 0.0, 0.25))
+        heldS += 0.25;
+    EXPECT_EQ(heldS, 0.75); // let go in the step that ends the second
+    EXPECT_TRUE(rule.hasServed(101.0));
+    EXPECT_FALSE(rule.holds(100.5, 0.5, 0.0, 0.25));
+    // The mutations: who has not stood, or not before the line, is held; and so is each at the next sign.
+    EXPECT_TRUE(rule.holds(160.0, 1.0, 5.0, 10.0));
+    EXPECT_TRUE(rule.holds(160.0, 30.0, 0.0, 10.0));
+    EXPECT_FALSE(rule.hasServed(160.0));
+}
+
+TEST(SignalsAhead, ALineThatComesTooLateIsPassed)
+{
+    EXPECT_FALSE(simulation::comesTooLate(12.6, 10.0, 4.0));
+    EXPECT_TRUE(simulation::comesTooLate(12.4, 10.0, 4.0));
+    EXPECT_FALSE(simulation::comesTooLate(0.0, 0.9, 4.0)); // who creeps stops at once
 }
 
 TEST(SignalsAhead, ASignForTheOtherDirectionStopsNobody)
