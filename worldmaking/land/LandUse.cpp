@@ -77,6 +77,7 @@ constexpr std::array<CoverWord, 41> kCovers{{{"landuse", "forest", Cover::trees}
 
 constexpr std::array<std::string_view, 5> kFields{"farmland", "meadow", "grass", "orchard", "vineyard"};
 constexpr std::array<std::string_view, 5> kRivers{"river", "stream", "canal", "ditch", "drain"};
+constexpr std::array<std::string_view, 3> kTaxiways{"taxiway", "taxilane", "parking_position"};
 constexpr std::array<std::string_view, 4> kRails{"rail", "narrow_gauge", "light_rail", "tram"};
 
 template<std::size_t N>
@@ -138,7 +139,7 @@ std::optional<Painted> paintedLine(const LandShape& shape, LandReport& report)
         ++report.railways;
         return Painted{GroundLayer::ways, {{"kind", "track"}, {"width", "4"}, {"surface", "gravel"}}};
     }
-    if (const auto air = valueOf(tags, "aeroway"); air == "taxiway")
+    if (const auto air = valueOf(tags, "aeroway"); isOneOf(air, kTaxiways))
     {
         ++report.aprons;
         return Painted{GroundLayer::ways, withDetails(air, tags, {"width", "surface"})};

@@ -46,5 +46,7 @@ vec3 pavedAlbedo(vec3 albedo, Paint paint, Grain g)
     albedo = mix(albedo, vec3(0.145, 0.143, 0.139) * stone * (1.0 - 0.14 * paint.marks.z), paint.beds.y);
     albedo = mix(albedo, vec3(0.105, 0.105, 0.105) * stone, paint.beds.w);
     float paved = max(paint.beds.y, paint.beds.w);
-    return mix(albedo, vec3(0.60, 0.60, 0.57) * (1.0 + 0.25 * g.metres2.z), min(paint.marks.x, paved) * 0.92);
+    float wear = 1.0 + 0.25 * g.metres2.z;
+    albedo = mix(albedo, vec3(0.60, 0.60, 0.57) * wear, min(paint.marks.x, paved) * 0.92);
+    return mix(albedo, vec3(0.58, 0.40, 0.05) * wear, min(paint.yellow, paved) * 0.92);
 }

@@ -64,5 +64,5 @@ Paint paintOfMaps(vec2 place, Footprint f)
         marks = marksOfBeds(vec4(beds.xyz, 0.0));
         marks.xw += vec2(runway.y, 0.02 * runway.x);
     }
-    return Paint(crops, beds, marks, vec2(dot(crops, kMeanSoil) / share, 0.75 + 0.5 * shade), vec2(0.0));
+    return Paint(crops, beds, marks, vec2(dot(crops, kMeanSoil) / share, 0.75 + 0.5 * shade), vec2(0.0), 0.0);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the features under a pixel: Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position, metres; the
 // others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares. Pictures of low quality have the maps
-// alone, but for what rules need: runways with their marks and lamps, and roads with markings, in the few cells that list them.
+// alone, but for what rules need: cells with strokes, as those of runways and taxiways, are drawn whole, and of others the roads with markings.
 
 // The list of a cell: its first record, numbers of areas, lines and strokes; zeros where there is none. `at`: from the cell's middle, metres.
 vec4 cellAt(vec2 place, out vec2 at)
@@ -23,13 +23,15 @@ Paint paintInCell(vec2 place, Footprint f)
     if (list.y + list.z + list.w == 0.0) return paint;
     int record = int(list.x);
 #ifdef PICTURE_LOW
-    for (int i = 0; i < int(list.y); ++i) record += 2 + int(featureRecord(record).x);
-    if (listsMarkedRoad(list)) paintLines(paint, record, int(list.z), at, f);
-    record += 2 * int(list.z);
-#else
+    if (list.w == 0.0)
+    {
+        for (int i = 0; i < int(list.y); ++i) record += 2 + int(featureRecord(record).x);
+        if (listsMarkedRoad(list)) paintLines(paint, record, int(list.z), at, f);
+        return paint;
+    }
+#endif
     if (list.y > 0.0) record = paintAreas(paint, record, int(list.y), at, f);
     if (list.z > 0.0) record = paintLines(paint, record, int(list.z), at, f);
-#endif
     if (list.w > 0.0) paintStrokes(paint, record, int(list.w), at, f);
     return paint;
 }
@@ -37,7 +39,7 @@ Paint paintInCell(vec2 place, Footprint f)
 Paint mixed(Paint a, Paint b, float t)
 {
     return Paint(mix(a.crops, b.crops, t), mix(a.beds, b.beds, t), mix(a.marks, b.marks, t), mix(a.rows, b.rows, t),
-                 mix(a.slope, b.slope, t));
+                 mix(a.slope, b.slope, t), mix(a.yellow, b.yellow, t));
 }
 
 // Divides a long footprint into up to four parts along its length. The far maps replace the cells where the parts are longer
@@ -67,14 +69,18 @@ Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
     }
     paint.marks.w *= float(taps); // a lamp is a point, its light is no share of the footprint
 #ifdef PICTURE_LOW
-    Paint strokes = paint;
+    Paint listed = paint;
     paint = paintOfMaps(place, whole);
-    paint.beds.w = mix(strokes.beds.w, paint.beds.w, far);
-    paint.beds.y = mix(max(strokes.beds.y, paint.beds.y), paint.beds.y, far);
-    paint.marks.xw = mix(strokes.marks.xw, paint.marks.xw, far);
     // Where a texel is wider than a pixel the blended shares of crops are made steeper, so that fields have an edge.
     float blur = clamp(length1 / featureFarTexelM, 0.1, 1.0);
     paint.crops = clamp(0.5 + (paint.crops - 0.5) / blur, 0.0, 1.0);
+    if (list.w > 0.0)
+        paint = mixed(listed, paint, far);
+    else
+    {
+        paint.beds.y = mix(max(listed.beds.y, paint.beds.y), paint.beds.y, far);
+        paint.marks.x = mix(listed.marks.x, paint.marks.x, far);
+    }
 #else
     for (int i = far > 0.0 ? 0 : 1; i < 1; ++i)
         paint = mixed(paint, paintOfMaps(place, whole), far);

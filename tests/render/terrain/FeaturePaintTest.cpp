@@ -307,8 +307,7 @@ TEST(FeaturePaint, ARunwayHasItsMarksAtEveryQuality)
         EXPECT_GT(marks[0], 0.8 * high[0]) << "middle line, " << define;
         EXPECT_GT(marks[1], 0.8 * high[1]) << "threshold, " << define;
     }
-    const auto without =
-        marksBesideAsphalt("PICTURE_LOW", "paint.marks.xw = mix(strokes.marks.xw, paint.marks.xw, far)");
+    const auto without = marksBesideAsphalt("PICTURE_LOW", "paint = mixed(listed, paint, far)");
     EXPECT_LT(without[0], 0.3 * high[0]) << "the control: the marks are left out";
     EXPECT_LT(without[1], 0.3 * high[1]);
 }
@@ -334,6 +333,40 @@ std::array<double, 2> linesBesideAsphalt(const std::string& define, const std::s
     };
     const double asphalt = brightest(20001.2);
     return {brightest(20003.69) - asphalt, brightest(20000.0) - asphalt};
+}
+
+/// How much redder than blue the line of a taxiway is, beside its asphalt, in levels, from 12 m above it.
+double yellowOfTaxiway(const std::string& define, bool isMutated = false)
+{
+    core::GroundFeature taxiway = line(FeatureKind::road, 15.0, {20000.0, 19000.0}, {20000.0, 21000.0});
+    taxiway.style.marked = false;
+    taxiway.style.isTaxiway = true;
+    const auto terrain = plain({taxiway});
+    if (!define.empty()) terrain->material()->stateSet()->setDefine(define);
+    if (isMutated) mutate(*terrain, "paint.yellow += share", "paint.yellow += 0.0");
+    Camera camera(terrain);
+    const auto picture = camera.picture({20000.0, 20000.0, 12.0}, -kZenith, kNorthward);
+    const auto warmest = [&](double east)
+    {
+        const osg::Vec2d at = camera.pixelOf({east, 20000.0, 0.0});
+        double most = -255.0;
+        for (int x = static_cast<int>(at.x()) - 3; x <= static_cast<int>(at.x()) + 3; ++x)
+        {
+            const unsigned char* const pixel = picture->data(x, static_cast<int>(at.y()));
+            most = std::max(most, static_cast<double>(pixel[0]) - pixel[2]);
+        }
+        return most;
+    };
+    return warmest(20000.0) - warmest(20003.0);
+}
+
+TEST(FeaturePaint, ATaxiwayHasItsYellowLineAtEveryQuality)
+{
+    for (const char* define : {"", "PICTURE_MEDIUM", "PICTURE_LOW"})
+    {
+        EXPECT_GT(yellowOfTaxiway(define), 40.0) << define;
+        EXPECT_LT(yellowOfTaxiway(define, true), 8.0) << "the mutation: no stroke paints it; " << define;
+    }
 }
 
 /// A field of grass of 320 m.

@@ -14,7 +14,7 @@ namespace
 {
 
 /// The numbers of a feature's style.
-using StyleNumbers = std::array<double, 8>;
+using StyleNumbers = std::array<double, 9>;
 
 StyleNumbers numbersOf(const GroundFeature& feature)
 {
@@ -22,7 +22,8 @@ StyleNumbers numbersOf(const GroundFeature& feature)
     return {static_cast<double>(style.kind),     style.widthM,
             static_cast<double>(style.lanes),    style.marked ? 1.0 : 0.0,
             static_cast<double>(style.pavement), static_cast<double>(style.crop),
-            style.isCropKnown ? 1.0 : 0.0,       feature.isArea ? 1.0 : 0.0};
+            style.isCropKnown ? 1.0 : 0.0,       feature.isArea ? 1.0 : 0.0,
+            style.isTaxiway ? 1.0 : 0.0};
 }
 
 /// Whether a number is one of an enumeration.
@@ -50,6 +51,7 @@ bool takeStyle(foundation::ValueTaker& taker, GroundFeature& feature)
     style.crop = static_cast<Crop>(static_cast<int>(numbers[5]));
     style.isCropKnown = numbers[6] != 0.0;
     feature.isArea = numbers[7] != 0.0;
+    style.isTaxiway = numbers[8] != 0.0;
     return true;
 }
 

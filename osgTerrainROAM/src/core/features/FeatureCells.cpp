@@ -52,15 +52,12 @@ bool FeatureCells::isConsistent() const
 namespace
 {
 
-std::vector<FeatureCells::Runway> runwaysOf(const std::vector<GroundFeature>& features)
+/// Paved ones that are lines of the map; an area is painted as it is.
+std::vector<FeatureCells::Runway> straightRunways(const std::vector<RunwayFrame>& frames)
 {
     std::vector<FeatureCells::Runway> runways;
-    for (const GroundFeature& feature : features)
-        if (feature.style.kind == FeatureKind::runway && !feature.isArea &&
-            feature.style.pavement == Pavement::asphalt)
-            for (const auto& path : feature.paths)
-                if (path.front() != path.back())
-                    runways.push_back({path.front(), path.back(), feature.style.widthM});
+    for (const RunwayFrame& frame : frames)
+        if (frame.hasBed && frame.isPaved) runways.push_back({frame.a, frame.b, frame.widthM});
     return runways;
 }
 
@@ -83,7 +80,7 @@ Result<FeatureCells> FeatureCells::build(const std::vector<GroundFeature>& featu
         return Error{"features", "have more than 16 million edges in their cells",
                      "simplify them with ogr2ogr -simplify"};
     builder.store();
-    cells.runways = runwaysOf(features);
+    cells.runways = straightRunways(shapes.runways);
     return cells;
 }
 

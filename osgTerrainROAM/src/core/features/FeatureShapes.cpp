@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "RoadChains.h"
+#include "TaxiwayStrokes.h"
 
 namespace osgTerrainROAM::core
 {
@@ -64,32 +65,51 @@ void addSegments(std::vector<FeatureShapes::Segment>& segments, const Chain& cha
     }
 }
 
+void addStrokes(std::vector<Stroke>& strokes, const std::vector<Stroke>& more)
+{
+    strokes.insert(strokes.end(), more.begin(), more.end());
+}
+
+std::vector<RunwayFrame> runwaysOf(const std::vector<GroundFeature>& features)
+{
+    std::vector<RunwayFrame> runways;
+    for (const GroundFeature& feature : features)
+    {
+        if (feature.style.kind != FeatureKind::runway) continue;
+        RunwayFrame frame{{}, {}, feature.style.widthM, feature.style.designator};
+        frame.isPaved = feature.style.pavement == Pavement::asphalt;
+        if (feature.isArea)
+        {
+            if (runwayOfArea(feature.paths, frame)) runways.push_back(frame);
+            continue;
+        }
+        for (const auto& path : feature.paths)
+        {
+            frame.a = path.front();
+            frame.b = path.back();
+            if (frame.a != frame.b) runways.push_back(frame);
+        }
+    }
+    return runways;
+}
+
 } // namespace
 
 FeatureShapes::FeatureShapes(const std::vector<GroundFeature>& features)
 {
     for (const GroundFeature& feature : features)
-    {
-        const bool isRunway = feature.style.kind == FeatureKind::runway;
         if (feature.isArea) areas.push_back(areaOf(feature));
-        RunwayFrame frame{{}, {}, feature.style.widthM, feature.style.designator};
-        frame.isPaved = feature.style.pavement == Pavement::asphalt;
-        if (isRunway && feature.isArea && runwayOfArea(feature.paths, frame))
-            for (const Stroke& stroke : runwayStrokes(frame))
-                strokes.push_back(stroke);
-        if (!isRunway || feature.isArea) continue;
-        for (const auto& path : feature.paths)
-        {
-            frame.a = path.front();
-            frame.b = path.back();
-            if (frame.a == frame.b) continue;
-            for (const Stroke& stroke : runwayStrokes(frame))
-                strokes.push_back(stroke);
-        }
-    }
+    runways = runwaysOf(features);
+    for (const RunwayFrame& runway : runways)
+        addStrokes(strokes, runwayStrokes(runway));
     int line = 0;
     for (const Chain& chain : joinedLines(features))
-        if (chain.style.kind != FeatureKind::runway) addSegments(segments, chain, line++);
+    {
+        if (chain.style.kind == FeatureKind::runway) continue;
+        addSegments(segments, chain, line++);
+        if (chain.style.isTaxiway && chain.style.pavement == Pavement::asphalt)
+            addStrokes(strokes, taxiwayStrokes(chain.points, chain.style.widthM, runways));
+    }
     const auto byKind = [](const Segment& a, const Segment& b) { return (a.code & 3) < (b.code & 3); };
     std::stable_sort(segments.begin(), segments.end(), byKind);
     std::stable_sort(areas.begin(), areas.end(),

@@ -35,7 +35,8 @@ struct FeatureShapes
 
     std::vector<Area> areas;
     std::vector<Segment> segments;
-    std::vector<Stroke> strokes;
+    std::vector<RunwayFrame> runways;
+    std::vector<Stroke> strokes; ///< of runways and taxiways
 
     explicit FeatureShapes(const std::vector<GroundFeature>& features);
 };

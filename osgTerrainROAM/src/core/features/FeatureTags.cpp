@@ -34,6 +34,13 @@ FeatureStyle road(double widthM, int lanes, bool marked, Pavement pavement)
     return style;
 }
 
+FeatureStyle taxiway(double widthM)
+{
+    FeatureStyle style = road(widthM, 2, false, kAsphalt);
+    style.isTaxiway = true;
+    return style;
+}
+
 FeatureStyle river(double widthM)
 {
     FeatureStyle style;
@@ -110,7 +117,9 @@ const Table& landuses()
 const Table& aeroways()
 {
     static const Table table{{"runway", runway(30.0)},
-                             {"taxiway", road(15.0, 2, false, kAsphalt)},
+                             {"taxiway", taxiway(15.0)},
+                             {"taxilane", taxiway(12.0)},
+                             {"parking_position", taxiway(6.0)},
                              {"apron", road(15.0, 2, false, kAsphalt)}};
     return table;
 }

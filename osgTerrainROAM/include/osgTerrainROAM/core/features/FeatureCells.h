@@ -45,9 +45,10 @@ struct FeatureCells
         std::uint32_t first = 0, areas = 0, lines = 0, strokes = 0;
     };
 
-    /// What a stroke paints.
+    /// What a stroke paints, in the order of painting: a runway covers what leads to it.
     enum Paint
     {
+        yellow, ///< lines of taxiways
         asphalt,
         white,
         edgeLight, ///< of a runway, at night

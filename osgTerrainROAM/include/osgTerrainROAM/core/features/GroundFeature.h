@@ -41,9 +41,10 @@ enum class Crop
 struct FeatureStyle
 {
     FeatureKind kind = FeatureKind::road;
-    double widthM = 7.0; ///< of a line, from edge to edge
-    int lanes = 2;       ///< of a road, in both directions together
-    bool marked = true;  ///< has painted lines
+    double widthM = 7.0;    ///< of a line, from edge to edge
+    int lanes = 2;          ///< of a road, in both directions together
+    bool marked = true;     ///< has painted lines
+    bool isTaxiway = false; ///< has the yellow lines of one, where it is paved
     Pavement pavement = Pavement::asphalt;
     Crop crop = Crop::cereal;
     bool isCropKnown = false; ///< if not, a third of the cereal fields get row crops, for variety
