@@ -48,5 +48,6 @@ vec3 pavedAlbedo(vec3 albedo, Paint paint, Grain g)
     float paved = max(paint.beds.y, paint.beds.w);
     float wear = 1.0 + 0.25 * g.metres2.z;
     albedo = mix(albedo, vec3(0.60, 0.60, 0.57) * wear, min(paint.marks.x, paved) * 0.92);
-    return mix(albedo, vec3(0.58, 0.40, 0.05) * wear, min(paint.yellow, paved) * 0.92);
+    albedo = mix(albedo, vec3(0.58, 0.40, 0.05) * wear, min(paint.more.x, paved) * 0.92);
+    return albedo * (1.0 - 0.55 * paint.more.y * paint.beds.w);
 }

@@ -19,12 +19,12 @@ struct Paint
     vec4 marks; // shares of white, worn verge, wheel tracks; light
     vec2 rows;  // share of bare soil between the plants; shade
     vec2 slope; // of furrows and ridges, east and north
-    float yellow; // share of the yellow lines of taxiways
+    vec2 more;  // shares of yellow lines of taxiways, and of rubber of tyres on runways
 };
 
 const vec4 kMeanSoil = vec4(0.14, 0.44, 0.0, 0.51); // that is seen between the plants of each crop
 
-const Paint kNoPaint = Paint(vec4(0.0), vec4(0.0), vec4(0.0), vec2(0.0, 1.0), vec2(0.0), 0.0);
+const Paint kNoPaint = Paint(vec4(0.0), vec4(0.0), vec4(0.0), vec2(0.0, 1.0), vec2(0.0), vec2(0.0));
 
 // The pixel's footprint on the ground: the vectors of one pixel to the right and one pixel up, metres.
 struct Footprint

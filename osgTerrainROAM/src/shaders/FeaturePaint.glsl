@@ -39,7 +39,7 @@ Paint paintInCell(vec2 place, Footprint f)
 Paint mixed(Paint a, Paint b, float t)
 {
     return Paint(mix(a.crops, b.crops, t), mix(a.beds, b.beds, t), mix(a.marks, b.marks, t), mix(a.rows, b.rows, t),
-                 mix(a.slope, b.slope, t), mix(a.yellow, b.yellow, t));
+                 mix(a.slope, b.slope, t), mix(a.more, b.more, t));
 }
 
 // Divides a long footprint into up to four parts along its length. The far maps replace the cells where the parts are longer

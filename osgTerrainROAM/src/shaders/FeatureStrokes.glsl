@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paints strokes: rectangles with a middle line, such as runways, their markings and those of taxiways, and lamps.
-// What a stroke paints is FeatureCells::Paint: yellow, asphalt, white, a lamp.
+// What a stroke paints is FeatureCells::Paint: yellow, asphalt, white, rubber, a lamp.
 
 void paintStrokes(inout Paint paint, int record, int count, vec2 at, Footprint f)
 {
@@ -10,7 +10,7 @@ void paintStrokes(inout Paint paint, int record, int count, vec2 at, Footprint f
         vec4 ends = featureRecord(record);
         vec4 style = featureRecord(record + 1);
         vec2 from = at - 0.5 * (ends.xy + ends.zw);
-        if (style.y > 2.5)
+        if (style.y > 3.5)
         {
             // A lamp is a point of the image: its size is in pixels, not metres.
             vec2 pixels = vec2(from.x * f.y.y - from.y * f.y.x, from.y * f.x.x - from.x * f.x.y)
@@ -25,14 +25,16 @@ void paintStrokes(inout Paint paint, int record, int count, vec2 at, Footprint f
         float share = covered(dot(from, along), widthAlong(f, along), -0.5 * lengthM, 0.5 * lengthM)
                     * covered(dot(from, right), widthAlong(f, right), -style.x, style.x);
         if (style.y < 0.5)
-            paint.yellow += share;
+            paint.more.x += share;
         else if (style.y < 1.5)
         {
             paint.beds.w = max(paint.beds.w, share);
             paint.marks.x *= 1.0 - share;
-            paint.yellow *= 1.0 - share;
+            paint.more.x *= 1.0 - share;
         }
-        else
+        else if (style.y < 2.5)
             paint.marks.x += share;
+        else
+            paint.more.y += (1.0 - paint.more.y) * 0.5 * share;
     }
 }

@@ -60,6 +60,28 @@ TEST(RunwayStrokes, HasTheThresholdBarsOfItsWidth)
     }
 }
 
+TEST(RunwayStrokes, RubberLiesAroundTheAimingPointsOfLongRunways)
+{
+    const auto strokes = runwayStrokes({{0.0, 0.0}, {2500.0, 0.0}, 45.0, ""});
+    int atFirst = 0, atSecond = 0;
+    for (const Stroke& stroke : strokes)
+    {
+        if (stroke.paint != FeatureCells::rubber) continue;
+        const double awayM = std::min(stroke.a.x, 2500.0 - stroke.a.x);
+        EXPECT_GE(awayM, 300.0);
+        EXPECT_LE(awayM, 700.0);
+        EXPECT_LT(std::abs(stroke.a.y), 6.0);
+        ++(stroke.a.x < 1250.0 ? atFirst : atSecond);
+    }
+    EXPECT_EQ(atFirst, 70) << "two tyres of 35 landings";
+    EXPECT_EQ(atSecond, 70);
+    const auto isRubber = [](const Stroke& stroke) { return stroke.paint == FeatureCells::rubber; };
+    const auto onShort = runwayStrokes({{0.0, 0.0}, {700.0, 0.0}, 45.0, ""});
+    EXPECT_TRUE(std::none_of(onShort.begin(), onShort.end(), isRubber));
+    const auto onGrass = runwayStrokes({{0.0, 0.0}, {2500.0, 0.0}, 45.0, "", true, false});
+    EXPECT_TRUE(std::none_of(onGrass.begin(), onGrass.end(), isRubber));
+}
+
 TEST(RunwayStrokes, TheDesignatorFollowsFromTheDirection)
 {
     // 09 has fewer strokes than 08, by one; both ends count.

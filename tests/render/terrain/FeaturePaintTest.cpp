@@ -343,7 +343,7 @@ double yellowOfTaxiway(const std::string& define, bool isMutated = false)
     taxiway.style.isTaxiway = true;
     const auto terrain = plain({taxiway});
     if (!define.empty()) terrain->material()->stateSet()->setDefine(define);
-    if (isMutated) mutate(*terrain, "paint.yellow += share", "paint.yellow += 0.0");
+    if (isMutated) mutate(*terrain, "paint.more.x += share", "paint.more.x += 0.0");
     Camera camera(terrain);
     const auto picture = camera.picture({20000.0, 20000.0, 12.0}, -kZenith, kNorthward);
     const auto warmest = [&](double east)
@@ -367,6 +367,36 @@ TEST(FeaturePaint, ATaxiwayHasItsYellowLineAtEveryQuality)
         EXPECT_GT(yellowOfTaxiway(define), 40.0) << define;
         EXPECT_LT(yellowOfTaxiway(define, true), 8.0) << "the mutation: no stroke paints it; " << define;
     }
+}
+
+/// How much darker the middle of a runway is where aircraft touch down than halfway, in levels of the mean
+/// over 6 m by 80 m, between the strokes of the middle line; from a height.
+double darkerWhereTheyTouchDown(double heightM, bool isMutated = false)
+{
+    const auto terrain = plain({line(FeatureKind::runway, 45.0, {20000.0, 20000.0}, {20000.0, 22000.0})});
+    if (isMutated) mutate(*terrain, "0.55 * paint.more.y", "0.0 * paint.more.y");
+    Camera camera(terrain);
+    const auto mean = [&](double north)
+    {
+        const auto picture = camera.picture({20000.0, north, heightM}, -kZenith, kNorthward);
+        double sum = 0.0;
+        int count = 0;
+        const osg::Vec2d low = camera.pixelOf({19998.0, north - 40.0, 0.0}),
+                         high = camera.pixelOf({20002.0, north + 40.0, 0.0});
+        for (int y = static_cast<int>(low.y()); y < static_cast<int>(high.y()); ++y)
+            for (int x = static_cast<int>(low.x()); x <= static_cast<int>(high.x()); ++x, ++count)
+                sum += level(*picture, x, y);
+        return sum / std::max(count, 1);
+    };
+    return mean(21000.0) - mean(20350.0);
+}
+
+TEST(FeaturePaint, TyresLeaveRubberWhereTheyTouchDown)
+{
+    const auto darkerBy = [](double heightM)
+    { return darkerWhereTheyTouchDown(heightM) - darkerWhereTheyTouchDown(heightM, true); };
+    EXPECT_GT(darkerBy(150.0), 5.0);
+    EXPECT_GT(darkerBy(4000.0), 2.0) << "pixels of 12 m, by the map of far features";
 }
 
 /// A field of grass of 320 m.

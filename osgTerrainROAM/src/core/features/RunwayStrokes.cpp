@@ -5,6 +5,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+
+#include <foundation/Random.h>
 
 namespace osgTerrainROAM::core
 {
@@ -42,7 +45,9 @@ public:
         for (const Axis& end : {first, second})
         {
             threshold(end);
-            if (_lengthM > 800.0) aimingPoints(end);
+            if (_lengthM <= 800.0) continue;
+            aimingPoints(end);
+            rubber(end);
         }
         const auto [name, opposite] = designators(first.along);
         write(first, name);
@@ -123,14 +128,36 @@ private:
     /// The bars must end before the edge lines.
     double gapScale(int each) const { return std::min(1.0, (0.5 * _widthM - 2.0) / (3.6 * each)); }
 
+    double aimingPointM() const { return _lengthM < 1200.0 ? 250.0 : _lengthM < 2400.0 ? 300.0 : 400.0; }
+
     void aimingPoints(const Axis& end)
     {
-        const double from = _lengthM < 1200.0 ? 250.0 : _lengthM < 2400.0 ? 300.0 : 400.0;
+        const double from = aimingPointM();
         const double length = _lengthM < 1200.0 ? 30.0 : 45.0;
         const double wide = _lengthM < 1200.0 ? 4.0 : 6.0;
         const double between = std::min(0.3 * _widthM, 18.0);
         for (const double side : {-1.0, 1.0})
             white(end, from, from + length, side * 0.5 * (between + wide), wide);
+    }
+
+    /// Streaks of pairs of tyres around the aiming point, more and wider apart on a longer runway.
+    void rubber(const Axis& end)
+    {
+        foundation::SplitMix64 bits(static_cast<std::uint64_t>(std::llround(end.origin.x)) * 0x1f1f1f1fU ^
+                                    static_cast<std::uint64_t>(std::llround(end.origin.y)));
+        const auto between = [&](double low, double high)
+        { return low + (high - low) * static_cast<double>(bits() >> 11U) * 0x1p-53; };
+        const int landings = std::clamp(static_cast<int>(_lengthM / 70.0), 10, 36);
+        const double gearM = _lengthM < 1800.0 ? 1.3 : 2.8; // from the middle
+        for (int i = 0; i < landings; ++i)
+        {
+            const double from = aimingPointM() + between(-100.0, 80.0) + between(0.0, 60.0);
+            const double to = from + between(25.0, 110.0);
+            const double aside = between(-1.2, 1.2) + between(-1.2, 1.2);
+            for (const double side : {-1.0, 1.0})
+                add(end.at(from, aside + side * gearM), end.at(to + between(-8.0, 8.0), aside + side * gearM),
+                    between(0.12, 0.24), FeatureCells::rubber);
+        }
     }
 
     double digitsFromM() const { return 36.0 + 12.0; }

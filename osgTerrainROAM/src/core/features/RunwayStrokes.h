@@ -32,7 +32,7 @@ struct RunwayFrame
 bool runwayOfArea(const std::vector<std::vector<glm::dvec2>>& rings, RunwayFrame& frame);
 
 /// Lists the strokes of a runway: asphalt, centre line, threshold bars, edge lines, aiming points,
-/// designators and edge lights; boards where it is not paved.
+/// designators, edge lights and rubber of tyres; boards where it is not paved.
 /// Source: ICAO Annex 14, 8th edition, 5.2.2 to 5.2.7 and 5.3.9; simplified: no touchdown zone marking,
 /// digits of straight strokes, the designator follows from the direction when the map has none.
 std::vector<Stroke> runwayStrokes(const RunwayFrame& frame);

@@ -51,6 +51,7 @@ struct FeatureCells
         yellow, ///< lines of taxiways
         asphalt,
         white,
+        rubber,    ///< of tyres, where aircraft touch down
         edgeLight, ///< of a runway, at night
     };
 
