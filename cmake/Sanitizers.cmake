@@ -5,6 +5,8 @@ if(OSGTRAINER_SANITIZE)
     string(REPLACE ";" "," sanitizers "${OSGTRAINER_SANITIZE}")
     add_compile_options(-fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
     add_link_options(-fsanitize=${sanitizers})
+    # With sanitizers gcc 12 takes members of std::variant, std::function and std::optional for used before they are set.
+    add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     add_library(sanitizer_suppressions OBJECT ${CMAKE_CURRENT_LIST_DIR}/SanitizerSuppressions.cpp)
     link_libraries($<TARGET_OBJECTS:sanitizer_suppressions>)
 endif()
