@@ -11,6 +11,7 @@
 
 #include <osgRoads/core/surface/BuildRoadMesh.h>
 
+#include "RenderedBox.h"
 #include "RenderedPicture.h"
 #include "RoadTexts.h"
 #include "osgSession/view/Quality.h"
@@ -78,23 +79,15 @@ std::map<std::string, double> levelsOf(trainer::Quality quality, const std::stri
     camera.setProjectionMatrixAsPerspective(60.0, 1.0, 0.5, 1e3);
     camera.setViewMatrixAsLookAt({50.0, 0.0, 16.0}, {50.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     const osg::ref_ptr<osg::Image> picture = viewer->picture();
-    const osg::Matrixd toPixels = camera.getViewMatrix() * camera.getProjectionMatrix();
-    const auto pixelOf = [&](double s, double t)
-    {
-        const osg::Vec3d clip = osg::Vec3d(s, t, 0.0) * toPixels;
-        return osg::Vec2d(0.5 * (clip.x() + 1.0) * kSidePx, 0.5 * (clip.y() + 1.0) * kSidePx);
-    };
+    const osg::Matrixd toClip = camera.getViewMatrix() * camera.getProjectionMatrix();
     std::map<std::string, double> levels;
     for (const Mark& mark : kMarks)
     {
-        // s grows upwards in the picture, t to the left.
-        const osg::Vec2d low = pixelOf(mark.box[0], mark.box[3]), high = pixelOf(mark.box[2], mark.box[1]);
-        double sum = 0.0, count = 0.0;
-        for (int y = static_cast<int>(low.y()); y <= static_cast<int>(high.y()); ++y)
-            for (int x = static_cast<int>(low.x()); x <= static_cast<int>(high.x()); ++x, ++count)
-                sum += 255.0 * picture->getColor(x, y).g();
-        EXPECT_GT(count, 20.0) << mark.name;
-        levels[mark.name] = sum / count;
+        const std::array<osg::Vec3d, 2> corners{osg::Vec3d(mark.box[0], mark.box[1], 0.0),
+                                                osg::Vec3d(mark.box[2], mark.box[3], 0.0)};
+        const rendered::PixelBox box = rendered::boxAround(corners, toClip, *picture);
+        EXPECT_GT(box.count(), 20) << mark.name;
+        levels[mark.name] = box.mean([&](int x, int y) { return 255.0 * picture->getColor(x, y).g(); });
     }
     return levels;
 }
