@@ -33,13 +33,13 @@ Workplace::Workplace()
     writeHill("hill.tif", 0.0);
 }
 
-std::string Workplace::writeHill(const std::string& name, double raisedM) const
+std::string Workplace::writeHill(const std::string& name, double raisedM, int epsg) const
 {
     RasterSpec spec;
     spec.columns = spec.rows = kSide;
     spec.values = hillHeights(raisedM);
     spec.geoTransform = {436000.0, 30.0, 0.0, 4829950.0, 0.0, -30.0};
-    spec.epsg = 32632;
+    spec.epsg = epsg;
     writeRaster(_folder / name, "GTiff", spec);
     return path(name);
 }

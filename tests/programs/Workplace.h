@@ -21,8 +21,8 @@ public:
     /// Writes a text and returns its path.
     std::string write(const std::string& name, const std::string& text) const;
 
-    /// The hill again, with its top sample raised.
-    std::string writeHill(const std::string& name, double raisedM) const;
+    /// The hill again, with its top sample raised, in a zone of UTM by its code: 32632 is in Italy.
+    std::string writeHill(const std::string& name, double raisedM, int epsg = 32632) const;
 
     /// Everything below the folder, sorted: to see that nothing was left there.
     std::vector<std::string> files() const;
