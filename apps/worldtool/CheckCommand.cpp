@@ -164,6 +164,23 @@ nlohmann::ordered_json placesOf(const worldmaking::WorldFaults& faults,
     return rows;
 }
 
+/// The houses that do not stand on their ground. Units: metres, degrees.
+nlohmann::ordered_json housesOf(const worldmaking::WorldFaults& faults, const PlacedTile& tile)
+{
+    using Flaw = worldmaking::HouseFault::Flaw;
+    auto rows = nlohmann::ordered_json::array();
+    for (const auto& fault : faults.houseFaults)
+    {
+        nlohmann::ordered_json row{{"fault", fault.flaw == Flaw::floats ? "floats"
+                                             : fault.flaw == Flaw::sunk ? "sunk"
+                                                                        : "beyond"},
+                                   {"byM", fault.byM}};
+        addDegrees(row, fault.place, tile);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 /// Gives faults of waters the names that the map has.
 void nameWaters(const RoamFile& world, const PlacedTile& tile, worldmaking::WorldFaults& faults)
 {
@@ -276,6 +293,7 @@ foundation::Result<Report> check(const std::filesystem::path& world)
         std::cout << "fault: " << line << '\n';
     if (things.roads) report.json["roadFaults"] = placesOf(faults, *things.roads, tile);
     if (things.roads) report.json["junctionFaults"] = junctionsOf(faults, *things.roads, tile);
+    report.json["houseFaults"] = housesOf(faults, tile);
     report.json["waterFaults"] = watersOf(faults, tile);
     report.json["crossingFaults"] = crossingsOf(faults, things.roads, tile);
     return report;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "worldtool/FaultLines.h"
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -103,6 +104,19 @@ public:
                              : "build the world anew; if it stays, give finer elevation data");
     }
 
+    void addHouse(const worldmaking::HouseFault& fault)
+    {
+        using Flaw = worldmaking::HouseFault::Flaw;
+        if (fault.flaw == Flaw::beyond)
+            return add(fault.place, "a house reaches beyond the elevation data",
+                       "give elevation data around it, or cut the map (--bounds)");
+        const std::string by = number(std::abs(fault.byM), "%.1f m ") + (fault.byM < 0.0 ? "below" : "above");
+        add(fault.place,
+            (fault.flaw == Flaw::floats ? "the walls of a house end " : "the eaves of a house lie ") + by +
+                " its lowest ground",
+            "build the world anew; if it stays, give finer elevation data");
+    }
+
     void addWater(const worldmaking::WaterFault& fault)
     {
         const auto& figures = fault.figures;
@@ -171,6 +185,9 @@ std::vector<std::string> faultLines(const worldmaking::WorldFaults& faults,
     for (const auto& fault : faults.roadFaults)
         writer.addRoad(fault);
     writer.close("roads that the ground leaves or covers");
+    for (const auto& fault : faults.houseFaults)
+        writer.addHouse(fault);
+    writer.close("houses that do not stand on their ground");
     for (const auto& fault : faults.waterFaults)
         writer.addWater(fault);
     writer.close("uneven waters");

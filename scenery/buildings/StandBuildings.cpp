@@ -74,32 +74,85 @@ std::optional<GroundSpan> stand(StandingBuilding& standing, const foundation::He
 /// The parts of one building that stand.
 struct StandingParts
 {
-    std::vector<std::size_t> of; ///< their places among the buildings
-    std::vector<double> highM;   ///< the highest ground below each
-    GroundSpan span{1e300, -1e300};
+    std::vector<std::size_t> of;   ///< their places among the buildings
+    std::vector<GroundSpan> spans; ///< the ground below each
 };
 
-/// Puts the parts of a building on one floor: that of the largest of them that stands on the ground, over the
-/// ground of all. Each keeps its own foot.
-void shareFloor(const StandingParts& parts, std::vector<StandingBuilding>& buildings, bool isByStreet)
+/// Whether a part on this floor shows a storey of its walls above its ground; one over a passage, whether
+/// something of it is left above what passes.
+bool showsOn(double floorM, const Building& part, const GroundSpan& span)
 {
-    if (parts.of.size() < 2) return;
+    const double topM = floorM + part.eavesM;
+    if (part.liftedM >= kPassedM) return topM > span.highM + kPassedM;
+    return topM >= span.lowM + std::min(kMostWallSunkM, part.eavesM);
+}
+
+/// The part whose floor others share: the largest on the ground. Returns its place among the parts.
+std::size_t leadOf(const StandingParts& parts, const std::vector<StandingBuilding>& buildings)
+{
     const auto rank = [&](std::size_t i)
     {
         const Building& building = buildings[i].building;
         return std::pair(building.liftedM <= 0.0, areaOf(building.rings));
     };
-    const std::size_t lead = *std::max_element(
-        parts.of.begin(), parts.of.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
-    const double floorM = floorOf(buildings[lead], parts.span, isByStreet);
+    const auto lead = std::max_element(parts.of.begin(), parts.of.end(),
+                                       [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+    return static_cast<std::size_t>(lead - parts.of.begin());
+}
+
+/// The floor of a building's lead over the ground of some of its parts; its own where it would lie in the
+/// ground on that.
+double sharedFloorOf(const StandingParts& parts, std::size_t lead,
+                     const std::vector<StandingBuilding>& buildings, bool isByStreet)
+{
+    GroundSpan all{1e300, -1e300};
+    for (const GroundSpan& span : parts.spans)
+        all = {std::min(all.lowM, span.lowM), std::max(all.highM, span.highM)};
+    const StandingBuilding& standing = buildings[parts.of[lead]];
+    const double floorM = floorOf(standing, all, isByStreet);
+    return showsOn(floorM, standing.building, parts.spans[lead]) ? floorM : standing.floorM;
+}
+
+/// Takes from `parts` those that would lie in the ground on a floor, and returns them; never the lead.
+StandingParts sunkOn(double floorM, std::size_t lead, StandingParts& parts,
+                     const std::vector<StandingBuilding>& buildings)
+{
+    StandingParts sunk, kept;
+    for (std::size_t k = 0; k < parts.of.size(); ++k)
+    {
+        const bool stays = k == lead || showsOn(floorM, buildings[parts.of[k]].building, parts.spans[k]);
+        StandingParts& group = stays ? kept : sunk;
+        group.of.push_back(parts.of[k]);
+        group.spans.push_back(parts.spans[k]);
+    }
+    parts = std::move(kept);
+    return sunk;
+}
+
+/// Puts the parts of a building on one floor, but for those that would lie in the ground there: it returns
+/// them. Each keeps its own foot.
+StandingParts shareFloor(StandingParts parts, std::vector<StandingBuilding>& buildings, bool isByStreet)
+{
+    StandingParts others;
+    double floorM = 0.0;
+    for (bool isSettled = false; !isSettled;)
+    {
+        const std::size_t lead = leadOf(parts, buildings); // it stays the same one
+        floorM = sharedFloorOf(parts, lead, buildings, isByStreet);
+        const StandingParts sunk = sunkOn(floorM, lead, parts, buildings);
+        isSettled = sunk.of.empty();
+        others.of.insert(others.of.end(), sunk.of.begin(), sunk.of.end());
+        others.spans.insert(others.spans.end(), sunk.spans.begin(), sunk.spans.end());
+    }
     for (std::size_t k = 0; k < parts.of.size(); ++k)
     {
         StandingBuilding& part = buildings[parts.of[k]];
         part.floorM = floorM;
         double& liftedM = part.building.liftedM;
-        const double wantedM = parts.highM[k] + kPassedM - floorM;
+        const double wantedM = parts.spans[k].highM + kPassedM - floorM;
         if (liftedM >= kPassedM && wantedM > liftedM && wantedM < part.building.eavesM) liftedM = wantedM;
     }
+    return others;
 }
 
 } // namespace
@@ -154,13 +207,13 @@ StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes,
         {
             StandingParts& parts = wholes[whole->second];
             parts.of.push_back(standing.buildings.size());
-            parts.highM.push_back(span->highM);
-            parts.span = {std::min(parts.span.lowM, span->lowM), std::max(parts.span.highM, span->highM)};
+            parts.spans.push_back(*span);
         }
         standing.buildings.push_back(std::move(placed));
     }
-    for (const auto& [whole, parts] : wholes)
-        shareFloor(parts, standing.buildings, static_cast<bool>(street));
+    for (auto& [whole, parts] : wholes)
+        while (!parts.of.empty())
+            parts = shareFloor(std::move(parts), standing.buildings, static_cast<bool>(street));
     return standing;
 }
 

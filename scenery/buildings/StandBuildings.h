@@ -31,6 +31,8 @@ struct StandingBuildings
 /// show below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and
 /// half a metre into it. Parts of one building (kWholeTag) have one floor, that of the largest on the ground;
 /// one that lies kPassedM above it or more, where vehicles may pass, keeps so far above the ground below it.
+/// Those that would lie in the ground there, up a slope, have a floor of their own: they show kMostWallSunkM
+/// of their walls or more.
 StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes,
                                  const foundation::HeightInPlan& ground, const NearestStreet& street = {});
 

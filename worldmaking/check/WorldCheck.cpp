@@ -110,7 +110,12 @@ private:
             const glm::dvec2 middle = scenery::rectangleAround(rings.front()).middle;
             _faults.inWater += _waters.hold(middle) ? 1 : 0;
             _faults.onRunway += _runways.hold(middle) ? 1 : 0;
-            _faults.floating += isFloating(house) ? 1 : 0;
+            if (auto fault = faultOf(house))
+            {
+                ++_faults.floating;
+                fault->place = {middle, house.floorM};
+                _faults.houseFaults.push_back(*fault);
+            }
             const MapBox box = boxOf(rings.front());
             const double area = scenery::areaOf(rings);
             grid.near(box,
@@ -129,8 +134,10 @@ private:
         }
     }
 
-    bool isFloating(const scenery::StandingBuilding& house) const
+    /// What is wrong between a house and its ground; nothing: it stands.
+    std::optional<HouseFault> faultOf(const scenery::StandingBuilding& house) const
     {
+        using Flaw = HouseFault::Flaw;
         double lowest = 1e300;
         for (const auto& ring : house.building.rings)
             for (std::size_t i = 0; i < ring.size(); ++i)
@@ -141,11 +148,15 @@ private:
                 {
                     const glm::dvec2 place = glm::mix(a, b, static_cast<double>(k) / steps);
                     const auto ground = _things.groundM(place);
-                    if (!ground) return true;
+                    if (!ground) return HouseFault{Flaw::beyond};
                     lowest = std::min(lowest, *ground);
                 }
             }
-        return lowest < house.footM - kHeightSlackM || house.floorM < lowest - kHeightSlackM;
+        if (lowest < house.footM - kHeightSlackM) return HouseFault{Flaw::floats, {}, house.footM - lowest};
+        const double eavesM = house.building.eavesM, shownM = house.floorM + eavesM - lowest;
+        if (shownM < std::min(HouseFault::kLeastShownM, eavesM) - kHeightSlackM)
+            return HouseFault{Flaw::sunk, {}, shownM};
+        return std::nullopt;
     }
 
     void lookAtPlants()

@@ -49,6 +49,21 @@ struct RoadFault
     static constexpr double kReasonM = 20.0, kReasonHeightM = 0.3;
 };
 
+/// A house that does not stand on its ground.
+struct HouseFault
+{
+    enum class Flaw
+    {
+        floats, ///< its walls end above the ground
+        sunk,   ///< less than kLeastShownM of its walls stand above its lowest ground
+        beyond, ///< there is no ground below some of it
+    };
+    Flaw flaw = Flaw::floats;
+    glm::dvec3 place{0.0}; ///< the middle of the rectangle around it, at its floor, in the scene
+    double byM = 0.0;      ///< from the lowest ground up to the foot of its walls, or to its eaves
+    static constexpr double kLeastShownM = 2.0; ///< or as much as there is
+};
+
 /// Open water that does not lie as water does.
 struct WaterFault
 {
@@ -67,7 +82,7 @@ struct WorldFaults
     std::size_t inWater = 0;     ///< houses whose middle, plants whose foot is in water
     std::size_t onRunway = 0;    ///< objects on the paving of a runway
     std::size_t overlapping = 0; ///< pairs of houses with common ground, and plants within houses
-    std::size_t floating = 0;    ///< houses with walls that end above the ground or floors below all of it
+    std::size_t floating = 0;    ///< houses that do not stand on their ground (HouseFault), trees without any
     std::size_t floatingRoads = 0,
                 sunkRoads = 0; ///< roads that the ground leaves, or covers, somewhere off bridges and tunnels
     std::size_t unevenRunways = 0;    ///< steep or bumpy (LevelCheck.h)
@@ -79,6 +94,7 @@ struct WorldFaults
     std::size_t steepJunctions = 0;   ///< connecting roads that lean too much
     double maxGradePercent = 0.0;
     std::vector<RoadFault> roadFaults;   ///< one for each floating or sunk road, in their order
+    std::vector<HouseFault> houseFaults; ///< one for each house that is counted as floating
     std::vector<WaterFault> waterFaults; ///< one for each uneven water
     std::vector<CrossingFault> crossingFaults;
     std::vector<JunctionFault> junctionFaults;

@@ -126,4 +126,22 @@ TEST(StandBuildings, PartsOfOneBuildingShareTheFloorOfTheLargestOnTheGround)
             << other;
 }
 
+/// A passage through a building on a hillside parted it: what stood above the street lay 12 m in the ground.
+TEST(StandBuildings, PartsUpASteepSlopeStandOnAFloorOfTheirOwnAndNoneLiesInTheGround)
+{
+    const auto slope = [](const glm::dvec2& plan) { return std::optional(100.0 + 1.5 * plan.x); };
+    const auto street = [](const glm::dvec3& from) { return std::optional(glm::dvec2(-20.0, from.y)); };
+    const StandingBuildings made = standBuildings(threeParts("9"), slope, street);
+    ASSERT_EQ(made.buildings.size(), 3u);
+    const StandingBuilding &hall = made.buildings[0], &bridge = made.buildings[1], &tower = made.buildings[2];
+    // On the hall's floor the roof of the tower would lie below its lowest ground, and the bridge in the
+    // street.
+    EXPECT_LT(hall.floorM + hall.building.eavesM, 122.5 + kMostWallSunkM);
+    EXPECT_GE(tower.floorM + tower.building.eavesM, 122.5 + kMostWallSunkM);
+    EXPECT_EQ(bridge.floorM, tower.floorM) << "both are one building still";
+    EXPECT_GE(bridge.floorM + bridge.building.liftedM, 122.5 + kPassedM - 1e-9);
+    for (const StandingBuilding& part : made.buildings)
+        EXPECT_LT(part.footM, part.groundM[0][0]) << "no wall floats";
+}
+
 } // namespace

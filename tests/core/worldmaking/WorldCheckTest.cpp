@@ -102,12 +102,30 @@ TEST(WorldCheck, SeesHousesOverEachOtherAndATreeInAHouse)
 
 TEST(WorldCheck, SeesASunkHouseAndOneThatFloats)
 {
+    using Flaw = HouseFault::Flaw;
     World world;
-    world.things.houses[0].floorM -= 3.0;
-    world.things.houses[0].footM -= 3.0;
+    const auto sink = [&](double byM)
+    {
+        world.things.houses[0].floorM -= byM;
+        world.things.houses[0].footM -= byM;
+    };
+    sink(3.0);
+    EXPECT_EQ(world.faults().floating, 0u) << "a part up the slope of a building whose walls are 6 m high";
+    sink(1.5);
     EXPECT_EQ(world.faults().floating, 1u);
     world.things.houses[1].footM += 1.0;
-    EXPECT_EQ(world.faults().floating, 2u);
+    const WorldFaults faults = world.faults();
+    EXPECT_EQ(faults.floating, 2u);
+    ASSERT_EQ(faults.houseFaults.size(), 2u) << "each is told with its place";
+    const HouseFault &sunk = faults.houseFaults[0], &floats = faults.houseFaults[1];
+    EXPECT_EQ(sunk.flaw, Flaw::sunk);
+    EXPECT_NEAR(sunk.byM, 1.5, 1e-9);
+    EXPECT_LT(glm::distance(glm::dvec2(sunk.place), world.street + glm::dvec2(5, 25)), 1e-6);
+    EXPECT_EQ(floats.flaw, Flaw::floats);
+    EXPECT_NEAR(floats.byM, 0.5, 1e-9);
+    world.things.groundM = [&](const glm::dvec2& place)
+    { return place.x < world.street.x + 45.0 ? std::optional(499.5) : std::nullopt; };
+    EXPECT_EQ(world.faults().houseFaults[1].flaw, Flaw::beyond);
 }
 
 TEST(WorldCheck, SeesARoadThatTheGroundLeavesOrCovers)
