@@ -30,7 +30,7 @@ osg::ref_ptr<osg::Image> floatImage(int width, int height)
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(width, height, 1, GL_RGBA, GL_FLOAT);
     image->setInternalTextureFormat(GL_RGBA32F_ARB);
-    std::memset(image->data(), 0, image->getTotalSizeInBytes());
+    std::fill_n(image->data(), image->getTotalSizeInBytes(), static_cast<unsigned char>(0));
     return image;
 }
 
@@ -130,7 +130,7 @@ osg::ref_ptr<osg::Image> farImage(const core::FeatureCells& cells, int perCell, 
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(cells.columns * perCell, cells.rows * perCell, 1, format, GL_UNSIGNED_BYTE);
     image->setInternalTextureFormat(internal);
-    std::memset(image->data(), 0, image->getTotalSizeInBytes());
+    std::fill_n(image->data(), image->getTotalSizeInBytes(), static_cast<unsigned char>(0));
     return image;
 }
 

@@ -29,7 +29,8 @@ osg::ref_ptr<osg::Image> openingImage(const core::OpeningCells& cells)
         out[1] = static_cast<float>(cell.pieces);
         out += 4;
     }
-    std::memcpy(out, cells.records.data(), cells.records.size() * sizeof(cells.records[0]));
+    if (!cells.records.empty())
+        std::memcpy(out, cells.records.data(), cells.records.size() * sizeof(cells.records[0]));
     return image;
 }
 
