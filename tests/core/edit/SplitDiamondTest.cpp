@@ -63,6 +63,24 @@ TEST(SplitDiamond, IsWhatTheBintreeSays)
     }
 }
 
+/// Twice the area of the largest triangles does not fit into 32 bits.
+TEST(SplitDiamond, TheLargestTrianglesAreCounterClockwise)
+{
+    constexpr int kGridSide = (1 << 16) + 1;
+    int triangles = 0;
+    SplitDiamond({kGridSide / 2, kGridSide / 2}, kGridSide)
+        .forEachTriangle(
+            [&](const GridTriangle& t)
+            {
+                const auto across = [&](GridPoint p)
+                { return static_cast<double>(p.column - t.apex.column); };
+                const auto up = [&](GridPoint p) { return static_cast<double>(p.row - t.apex.row); };
+                EXPECT_EQ(across(t.left) * up(t.right) - up(t.left) * across(t.right), 0x1p32);
+                ++triangles;
+            });
+    EXPECT_EQ(triangles, 2);
+}
+
 TEST(SplitDiamond, ParentsAndChildrenAgree)
 {
     constexpr int kGridSide = 17;

@@ -65,7 +65,8 @@ TEST(TexturePicture, OfWhatCannotBeReadIsWhite)
     EXPECT_EQ(TexturePicture(*empty).at({0.5, 0.5}), glm::vec4(1.0f));
     osg::ref_ptr<osg::Image> compressed = new osg::Image;
     compressed->allocateImage(4, 4, 1, GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, GL_UNSIGNED_BYTE);
-    EXPECT_FALSE(TexturePicture(*new osg::Texture2D(compressed)).isRead());
+    const osg::ref_ptr<osg::Texture2D> packed = new osg::Texture2D(compressed);
+    EXPECT_FALSE(TexturePicture(*packed).isRead());
 }
 
 TEST(TexturePicture, TextureCoordinatesBeyondAllCountingAreHarmless)

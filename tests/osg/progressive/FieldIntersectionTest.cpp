@@ -122,7 +122,8 @@ TEST(FieldIntersection, NothingIsHitBesideInstancesAndInTheirHoles)
     EXPECT_EQ(hits(*field, {20.03, 0.07, 50.0}, {20.03, 0.07, -50.0}).size(), 0u) << "the hole";
     EXPECT_EQ(hits(*field, {10.03, 0.07, 50.0}, {10.03, 0.07, -50.0}).size(), 0u) << "between them";
     EXPECT_EQ(hits(*field, {2.03, 0.07, 50.0}, {2.03, 0.07, 40.0}).size(), 0u) << "above";
-    EXPECT_TRUE(hits(*new ProgressiveField, {0, 0, 1}, {0, 0, -1}).empty());
+    const osg::ref_ptr<ProgressiveField> nothing = new ProgressiveField;
+    EXPECT_TRUE(hits(*nothing, {0, 0, 1}, {0, 0, -1}).empty());
 }
 
 TEST(FieldIntersection, WhatIsDrawnDoesNotMatter)

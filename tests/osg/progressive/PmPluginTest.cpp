@@ -297,7 +297,8 @@ TEST_F(PmPlugin, ShowsTheBeginningOfAFileAsACoarserModel)
 TEST_F(PmPlugin, RefusesAnEmptyNode)
 {
     const std::string file = (_folder / "nothing.pm").string();
-    EXPECT_FALSE(osgDB::writeNodeFile(*new osg::Group, file));
+    const osg::ref_ptr<osg::Group> nothing = new osg::Group;
+    EXPECT_FALSE(osgDB::writeNodeFile(*nothing, file));
     EXPECT_FALSE(std::filesystem::exists(file));
 }
 

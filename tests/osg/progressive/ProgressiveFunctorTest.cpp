@@ -170,5 +170,6 @@ TEST(ProgressiveCopies, OfNothingAreNothing)
     EXPECT_FALSE(copy->shape());
     EXPECT_TRUE(copy->statistics().empty());
     EXPECT_TRUE(cull(*copy, *cameraAt({0, -5, 0}, {0, 0, 0}), 1).drawables.empty());
-    EXPECT_TRUE(cull(*new ProgressiveDrawable, *cameraAt({0, -5, 0}, {0, 0, 0}), 1).drawables.empty());
+    const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable;
+    EXPECT_TRUE(cull(*drawable, *cameraAt({0, -5, 0}, {0, 0, 0}), 1).drawables.empty());
 }

@@ -39,7 +39,8 @@ protected:
 
     static osgDB::ReaderWriter::ReadResult read(const std::string& file, const std::string& options = "")
     {
-        return osgDB::Registry::instance()->readNode(file, new osgDB::Options(options));
+        const osg::ref_ptr<osgDB::Options> told = new osgDB::Options(options);
+        return osgDB::Registry::instance()->readNode(file, told);
     }
 
     /// The share of a picture from 6 m above the road's middle in which anything is drawn.

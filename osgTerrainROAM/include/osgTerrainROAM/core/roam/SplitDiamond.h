@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <span>
 
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
@@ -61,8 +62,8 @@ public:
         {
             const GridPoint apex = plus(_towardsApex, sign);
             if (!isInTile(apex)) continue;
-            const int turn = (first.column - apex.column) * (second.row - apex.row) -
-                             (first.row - apex.row) * (second.column - apex.column);
+            const auto turn = std::int64_t{first.column - apex.column} * (second.row - apex.row) -
+                              std::int64_t{first.row - apex.row} * (second.column - apex.column);
             visit(turn > 0 ? GridTriangle{apex, first, second} : GridTriangle{apex, second, first});
         }
     }
