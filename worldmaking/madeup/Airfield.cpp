@@ -111,7 +111,7 @@ MadeShapes Airfield::shapes() const
         shapes.push_back(lineShape({at(share, 0.0), at(share, 112.0)},
                                    {{"aeroway", "taxiway"}, {"width", "12"}, {"surface", "asphalt"}}));
     shapes.push_back(lineShape({at(0.36, 112.0), at(0.48, 112.0)},
-                               {{"aeroway", "taxilane"}, {"width", "12"}, {"surface", "asphalt"}}));
+                               {{"aeroway", "taxilane"}, {"width", "8"}, {"surface", "asphalt"}}));
     shapes.push_back(areaShape(rectangleOf(at(0.42, 130.0), way, 260.0, 60.0),
                                {{"aeroway", "apron"}, {"surface", "asphalt"}}));
     for (const double share : {0.345, 0.375, 0.405})

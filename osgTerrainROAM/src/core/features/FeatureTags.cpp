@@ -118,7 +118,7 @@ const Table& aeroways()
 {
     static const Table table{{"runway", runway(30.0)},
                              {"taxiway", taxiway(15.0)},
-                             {"taxilane", taxiway(12.0)},
+                             {"taxilane", taxiway(8.0)}, // on aprons: too narrow for edge lamps
                              {"parking_position", taxiway(6.0)},
                              {"apron", road(15.0, 2, false, kAsphalt)}};
     return table;
