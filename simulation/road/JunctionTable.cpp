@@ -80,13 +80,10 @@ const JunctionTable::Shape& JunctionTable::shapeOf(const JunctionLane& lane)
 JunctionTable::Shape JunctionTable::shaped(const JunctionLane& lane) const
 {
     Shape shape;
-    RoadPlace place;
-    place.road = lane.road;
-    const double lengthM = _roads->roadAt(place).length;
-    place.s = lane.isForward ? 0.0 : lengthM;
-    if (!_roads->putOnLane(place, lane.lane, 0.0)) return shape;
-    place.relativeHeadingRad = lane.isForward ? 0.0 : std::numbers::pi;
-    for (double doneM = 0.0; place.road == lane.road && doneM < 2.0 * lengthM + 10.0; doneM += kShapeStepM)
+    const std::vector<RoadPlace> places = placesAlong(*_roads, lane, kShapeStepM);
+    if (places.empty()) return shape;
+    double doneM = 0.0;
+    for (const RoadPlace& place : places)
     {
         const RoadPose pose = _roads->poseAt(place);
         if (shape.bodies.empty())
@@ -98,7 +95,7 @@ JunctionTable::Shape JunctionTable::shaped(const JunctionLane& lane) const
                     {glm::dvec2(pose.position) - beforeM * ahead, pose.headingRad, -beforeM});
         }
         shape.bodies.push_back({glm::dvec2(pose.position), pose.headingRad, doneM});
-        if (!walk(*_roads, place, kShapeStepM, {})) break;
+        doneM += kShapeStepM;
     }
     shape.turnRad = foundation::wrappedRad(shape.bodies.back().headingRad - shape.bodies.front().headingRad);
     findIncoming(lane, shape);

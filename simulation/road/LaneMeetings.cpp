@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include <glm/common.hpp>
@@ -81,14 +80,11 @@ const LaneMeetings::Bodies& LaneMeetings::bodiesOf(const JunctionLane& lane)
 LaneMeetings::Bodies LaneMeetings::bodiesAlong(const JunctionLane& lane) const
 {
     Bodies bodies;
-    RoadPlace place;
-    place.road = lane.road;
-    const double lengthM = _roads->roadAt(place).length;
-    place.s = lane.isForward ? 0.0 : lengthM;
-    if (!_roads->putOnLane(place, lane.lane, 0.0)) return bodies;
-    place.relativeHeadingRad = lane.isForward ? 0.0 : std::numbers::pi;
+    const std::vector<RoadPlace> places = placesAlong(*_roads, lane, kMetStepM);
+    if (places.empty()) return bodies;
     bodies.least = glm::dvec2(1e300), bodies.most = glm::dvec2(-1e300);
-    for (double doneM = 0.0; place.road == lane.road && doneM < 2.0 * lengthM + 10.0; doneM += kMetStepM)
+    double doneM = 0.0;
+    for (const RoadPlace& place : places)
     {
         const RoadPose pose = _roads->poseAt(place);
         Body body;
@@ -103,7 +99,7 @@ LaneMeetings::Bodies LaneMeetings::bodiesAlong(const JunctionLane& lane) const
         bodies.most = glm::max(bodies.most, body.box.middle);
         bodies.all.push_back(body);
         bodies.endLane = place.lane;
-        if (!walk(*_roads, place, kMetStepM, {})) break;
+        doneM += kMetStepM;
     }
     return bodies;
 }

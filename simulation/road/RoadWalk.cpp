@@ -138,4 +138,22 @@ bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const Road
     return arrives;
 }
 
+std::vector<RoadPlace> placesAlong(const RoadScene& roads, const JunctionLane& lane, double stepM)
+{
+    constexpr double kBeyondM = 10.0;
+    RoadPlace place;
+    place.road = lane.road;
+    const double lengthM = roads.roadAt(place).length;
+    place.s = lane.isForward ? 0.0 : lengthM;
+    if (!roads.putOnLane(place, lane.lane, 0.0)) return {};
+    place.relativeHeadingRad = lane.isForward ? 0.0 : kPi;
+    std::vector<RoadPlace> places;
+    for (double doneM = 0.0; place.road == lane.road && doneM < 2.0 * lengthM + kBeyondM; doneM += stepM)
+    {
+        places.push_back(place);
+        if (!walk(roads, place, stepM, {})) break;
+    }
+    return places;
+}
+
 } // namespace simulation

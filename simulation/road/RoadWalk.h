@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simulation/parser/RandomDraw.h"
+#include "simulation/road/JunctionLane.h"
 #include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Position.h"
 
@@ -35,6 +36,10 @@ std::vector<RoadStep> stepsFrom(const osgRoads::core::RoadNetwork& network, int 
 /// Differs: esmini leaves the choice in a junction without route to chance.
 bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const RoadWay& way,
           RandomDraw* turns = nullptr);
+
+/// Returns places along a lane, so far apart, from where it is entered to the end of its road; none: the road
+/// has no such lane there.
+std::vector<RoadPlace> placesAlong(const RoadScene& roads, const JunctionLane& lane, double stepM);
 
 /// Returns the distance along the reference lines between two places, by the shortest way: positive where
 /// `to` is ahead of where `from` looks. Nothing: no way within `mostM`.

@@ -370,7 +370,7 @@ TEST(FeaturePaint, ATaxiwayHasItsYellowLineAtEveryQuality)
 }
 
 /// How much darker the middle of a runway is where aircraft touch down than halfway, in levels of the mean
-/// over 6 m by 80 m, between the strokes of the middle line; from a height.
+/// over 4 m by 80 m, between the strokes of the middle line; from a height.
 double darkerWhereTheyTouchDown(double heightM, bool isMutated = false)
 {
     const auto terrain = plain({line(FeatureKind::runway, 45.0, {20000.0, 20000.0}, {20000.0, 22000.0})});
