@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# OSGTRAINER_SANITIZE names the sanitizers; a report ends the test that made it and has the lines of the sources (-g1 of the presets). What is suppressed, and why, stands in
-# SanitizerSuppressions.cpp, which every program carries: Mesa, OSG and GDAL, which are not built with them.
+# OSGTRAINER_SANITIZE names the sanitizers; a report ends the test that made it, with the lines that the presets' -g1 keeps.
+# What is suppressed, and why, stands in SanitizerSuppressions.cpp, which every program carries: Mesa, OSG and GDAL, which
+# are not built with them.
 if(OSGTRAINER_SANITIZE)
     string(REPLACE ";" "," sanitizers "${OSGTRAINER_SANITIZE}")
     add_compile_options(-fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
