@@ -43,12 +43,10 @@ std::optional<SceneRunway> runwayOf(const GroundFeature& feature)
     return runway;
 }
 
-/// A paved line without marks; whether it is a taxiway depends on what it leads to.
 std::optional<SceneTaxiway> taxiwayOf(const GroundFeature& feature)
 {
-    constexpr double kLeastWideM = 9.0;
     const auto& style = feature.style;
-    if (style.kind != FeatureKind::road || feature.isArea || style.marked || style.widthM < kLeastWideM ||
+    if (feature.isArea || style.taxiing != osgTerrainROAM::core::Taxiing::taxiway ||
         style.pavement != osgTerrainROAM::core::Pavement::asphalt)
         return std::nullopt;
     return SceneTaxiway{feature.paths.front(), style.widthM};
@@ -106,7 +104,7 @@ StripRequest turned(StripRequest strip)
     return strip;
 }
 
-/// The runways of a source, and what may be taxiways.
+/// The runways and the paved taxiways of a source.
 foundation::Result<SceneAirfields> airfieldsIn(const std::filesystem::path& source,
                                                const osgTerrainROAM::core::RoamTile& tile,
                                                const foundation::KeptFrom& kept)

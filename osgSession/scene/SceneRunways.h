@@ -37,13 +37,12 @@ struct SceneAirfields
     std::vector<SceneTaxiway> taxiways;
 };
 
-/// Returns the runways among the features that a .roam file names, in their order, and as taxiways the paved
-/// lines without marks, 9 m wide or more, that begin or end at a runway or at another taxiway. Errors: as
-/// importFeatures().
+/// Returns the runways among the features that a .roam file names, in their order, and the paved
+/// taxiways that begin or end at a runway or at another taxiway. Errors: as importFeatures().
 foundation::Result<SceneAirfields> sceneAirfields(const osgTerrainROAM::core::RoamFile& description,
                                                   const osgTerrainROAM::core::RoamTile& tile);
 
-/// Returns runways and lines that may be taxiways as bytes, for sceneAirfieldsIn().
+/// Returns runways and paved taxiways as bytes, for sceneAirfieldsIn().
 std::string bytesOf(const SceneAirfields& airfields);
 
 /// Absent: bytesOf() did not write them.

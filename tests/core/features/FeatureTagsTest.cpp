@@ -36,6 +36,15 @@ TEST(FeatureTags, OpenStreetMapsTagsHaveTheirKinds)
     EXPECT_FALSE(styleOf({{"highway", "track"}})->marked);
 }
 
+TEST(FeatureTags, AircraftTaxiAlongSomeWays)
+{
+    EXPECT_EQ(styleOf({{"aeroway", "taxiway"}})->taxiing, Taxiing::taxiway);
+    EXPECT_EQ(styleOf({{"aeroway", "taxiway"}, {"width", "7.5"}})->taxiing, Taxiing::taxiway);
+    EXPECT_EQ(styleOf({{"aeroway", "taxilane"}})->taxiing, Taxiing::taxilane);
+    EXPECT_EQ(styleOf({{"aeroway", "parking_position"}})->taxiing, Taxiing::taxilane);
+    EXPECT_EQ(styleOf({{"highway", "service"}})->taxiing, Taxiing::none);
+}
+
 TEST(FeatureTags, ACropThatTheMapNamesIsKnown)
 {
     EXPECT_TRUE(styleOf({{"landuse", "farmland"}, {"crop", "wheat"}})->isCropKnown);

@@ -23,6 +23,15 @@ RunwayFrame runwayOf(double lengthM)
     return {{0.0, 0.0}, {lengthM, 0.0}, 30.0, ""};
 }
 
+using Tags = std::map<std::string, std::string>;
+
+GroundFeature featureOf(const Tags& tags, std::vector<glm::dvec2> path, bool isArea = false)
+{
+    const auto style =
+        featureStyle([&](const char* name) { return tags.count(name) ? tags.at(name) : std::string(); }, "");
+    return {style.value_or(FeatureStyle{}), isArea, {std::move(path)}};
+}
+
 /// The strokes of holding positions: those that are wider than the middle line.
 std::vector<Stroke> acrossOf(const std::vector<Stroke>& strokes)
 {
@@ -117,14 +126,8 @@ TEST(TaxiwayStrokes, TheLineIsRoundInBendsAndStaysOnThePavement)
 
 TEST(TaxiwayStrokes, PavedTaxiwaysOfAMapHaveThemBelowTheRunway)
 {
-    const auto featureOf = [](const std::map<std::string, std::string>& tags, std::vector<glm::dvec2> path)
-    {
-        const auto style = featureStyle(
-            [&](const char* name) { return tags.count(name) ? tags.at(name) : std::string(); }, "");
-        return GroundFeature{style.value_or(FeatureStyle{}), false, {std::move(path)}};
-    };
     const GroundFeature runway = featureOf({{"aeroway", "runway"}}, {{0, 0}, {2500, 0}});
-    const auto yellowOf = [&](const std::map<std::string, std::string>& tags)
+    const auto yellowOf = [&](const Tags& tags)
     {
         const FeatureShapes shapes({runway, featureOf(tags, {{300, 0}, {300, 200}})});
         const auto isYellow = [](const Stroke& stroke) { return stroke.paint == FeatureCells::yellow; };
@@ -137,6 +140,26 @@ TEST(TaxiwayStrokes, PavedTaxiwaysOfAMapHaveThemBelowTheRunway)
         EXPECT_GT(yellowOf({{"aeroway", kind}}), 1) << kind;
     EXPECT_EQ(yellowOf({{"aeroway", "taxiway"}, {"surface", "grass"}}), 0);
     EXPECT_EQ(yellowOf({{"highway", "service"}}), 0);
+}
+
+TEST(TaxiwayStrokes, ARunwayThatAMapHasAsLineAndAreaIsPaintedOnce)
+{
+    const Tags runway{{"aeroway", "runway"}};
+    const GroundFeature line = featureOf(runway, {{0, 0}, {2500, 0}}),
+                        taxiway = featureOf({{"aeroway", "taxiway"}}, {{300, 0}, {300, 200}});
+    const auto areaAt = [&](double northM)
+    {
+        return featureOf(
+            runway, {{-5, northM - 23}, {2505, northM - 23}, {2505, northM + 23}, {-5, northM + 23}}, true);
+    };
+    const std::size_t once = FeatureShapes({line, taxiway}).strokes.size();
+    EXPECT_EQ(FeatureShapes({line, areaAt(2.0), taxiway}).strokes.size(), once);
+    EXPECT_EQ(FeatureShapes({areaAt(2.0), line, taxiway}).strokes.size(), once);
+    // The mutations: another runway beside it, and one that crosses its middle.
+    EXPECT_GT(FeatureShapes({line, areaAt(-400.0), taxiway}).strokes.size(), once);
+    const GroundFeature crossing =
+        featureOf(runway, {{1230, -1200}, {1270, -1200}, {1270, 1200}, {1230, 1200}}, true);
+    EXPECT_GT(FeatureShapes({line, crossing, taxiway}).strokes.size(), once);
 }
 
 } // namespace

@@ -340,7 +340,7 @@ double yellowOfTaxiway(const std::string& define, bool isMutated = false)
 {
     core::GroundFeature taxiway = line(FeatureKind::road, 15.0, {20000.0, 19000.0}, {20000.0, 21000.0});
     taxiway.style.marked = false;
-    taxiway.style.isTaxiway = true;
+    taxiway.style.taxiing = core::Taxiing::taxiway;
     const auto terrain = plain({taxiway});
     if (!define.empty()) terrain->material()->stateSet()->setDefine(define);
     if (isMutated) mutate(*terrain, "paint.more.x += share", "paint.more.x += 0.0");

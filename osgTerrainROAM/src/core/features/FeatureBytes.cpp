@@ -23,7 +23,7 @@ StyleNumbers numbersOf(const GroundFeature& feature)
             static_cast<double>(style.lanes),    style.marked ? 1.0 : 0.0,
             static_cast<double>(style.pavement), static_cast<double>(style.crop),
             style.isCropKnown ? 1.0 : 0.0,       feature.isArea ? 1.0 : 0.0,
-            style.isTaxiway ? 1.0 : 0.0};
+            static_cast<double>(style.taxiing)};
 }
 
 /// Whether a number is one of an enumeration.
@@ -41,6 +41,7 @@ bool takeStyle(foundation::ValueTaker& taker, GroundFeature& feature)
     if (!isUpTo(numbers[0], static_cast<double>(FeatureKind::runway)) ||
         !isUpTo(numbers[4], static_cast<double>(Pavement::earth)) ||
         !isUpTo(numbers[5], static_cast<double>(Crop::orchard)) ||
+        !isUpTo(numbers[8], static_cast<double>(Taxiing::taxilane)) ||
         !(numbers[2] >= -kMostLanes && numbers[2] <= kMostLanes))
         return false;
     style.kind = static_cast<FeatureKind>(static_cast<int>(numbers[0]));
@@ -51,7 +52,7 @@ bool takeStyle(foundation::ValueTaker& taker, GroundFeature& feature)
     style.crop = static_cast<Crop>(static_cast<int>(numbers[5]));
     style.isCropKnown = numbers[6] != 0.0;
     feature.isArea = numbers[7] != 0.0;
-    style.isTaxiway = numbers[8] != 0.0;
+    style.taxiing = static_cast<Taxiing>(static_cast<int>(numbers[8]));
     return true;
 }
 

@@ -34,10 +34,10 @@ FeatureStyle road(double widthM, int lanes, bool marked, Pavement pavement)
     return style;
 }
 
-FeatureStyle taxiway(double widthM)
+FeatureStyle taxiway(Taxiing taxiing, double widthM)
 {
     FeatureStyle style = road(widthM, 2, false, kAsphalt);
-    style.isTaxiway = true;
+    style.taxiing = taxiing;
     return style;
 }
 
@@ -117,9 +117,9 @@ const Table& landuses()
 const Table& aeroways()
 {
     static const Table table{{"runway", runway(30.0)},
-                             {"taxiway", taxiway(15.0)},
-                             {"taxilane", taxiway(8.0)}, // on aprons: too narrow for edge lamps
-                             {"parking_position", taxiway(6.0)},
+                             {"taxiway", taxiway(Taxiing::taxiway, 15.0)},
+                             {"taxilane", taxiway(Taxiing::taxilane, 8.0)},
+                             {"parking_position", taxiway(Taxiing::taxilane, 6.0)},
                              {"apron", road(15.0, 2, false, kAsphalt)}};
     return table;
 }

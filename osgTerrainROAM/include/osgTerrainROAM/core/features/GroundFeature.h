@@ -37,14 +37,22 @@ enum class Crop
     orchard,
 };
 
+/// Whether aircraft taxi along a way; if so, it has a yellow line where it is paved.
+enum class Taxiing
+{
+    none,
+    taxiway,  ///< has lamps along its edges, too
+    taxilane, ///< on an apron, or leads to one stand
+};
+
 /// The appearance of one feature. Units: metres.
 struct FeatureStyle
 {
     FeatureKind kind = FeatureKind::road;
-    double widthM = 7.0;    ///< of a line, from edge to edge
-    int lanes = 2;          ///< of a road, in both directions together
-    bool marked = true;     ///< has painted lines
-    bool isTaxiway = false; ///< has the yellow lines of one, where it is paved
+    double widthM = 7.0; ///< of a line, from edge to edge
+    int lanes = 2;       ///< of a road, in both directions together
+    bool marked = true;  ///< has painted lines
+    Taxiing taxiing = Taxiing::none;
     Pavement pavement = Pavement::asphalt;
     Crop crop = Crop::cereal;
     bool isCropKnown = false; ///< if not, a third of the cereal fields get row crops, for variety
