@@ -70,6 +70,7 @@ struct PartsOfScene
     std::optional<foundation::Result<MapScenery>> map;
     std::optional<foundation::Result<MadeStructures>> structures;
     std::optional<foundation::Result<SceneAirfields>> airfields;
+    scenery::roads::RoadThings signs;
 };
 
 /// Roads on the ground of a tile. `mark`: of what they follow from besides the tile (markOfRoads()).
@@ -187,6 +188,7 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
         {
             parts.structures.emplace(makeStructures(description, *tile, wantsObstacles));
             parts.airfields.emplace(sceneAirfields(description, *tile));
+            if (*parts.airfields) parts.signs = airfieldSigns(**parts.airfields, tile->tile);
         });
     const auto terrain = makeLand(description, tile, laid, painted, kept);
     opening.end("land");
@@ -202,12 +204,13 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
         simulation::ObstacleList obstacles = std::move((*parts.roads)->obstacles);
         obstacles.add((*parts.map)->obstacles);
         obstacles.add((*parts.structures)->obstacles);
+        scenery::roads::addObstacles(parts.signs, obstacles);
         scene.obstacles = std::make_shared<const simulation::ObstacleMap>(std::move(obstacles));
     }
     if (roads.placed) addRoads(std::move(**parts.roads), roads, scene);
     addMap(**parts.map, scene);
     addLamps(std::move(**parts.map), (*parts.structures)->lamps, laid, kept, scene);
-    if (const auto added = addStructures(**parts.structures, **parts.airfields, scene); !added)
+    if (const auto added = addStructures(**parts.structures, **parts.airfields, parts.signs, scene); !added)
         return added.error();
     opening.end("what stands on it");
     return scene;

@@ -112,6 +112,7 @@ foundation::Result<SceneAirfields> airfieldsIn(const std::filesystem::path& sour
     const auto set = osgTerrainROAM::core::importFeatures(source, tile.tile, kept);
     if (!set) return set.error();
     SceneAirfields airfields;
+    airfields.holds = osgTerrainROAM::core::holdingPositions(set->features);
     for (const GroundFeature& feature : set->features)
     {
         if (auto runway = runwayOf(feature)) airfields.runways.push_back(std::move(*runway));
@@ -122,6 +123,14 @@ foundation::Result<SceneAirfields> airfieldsIn(const std::filesystem::path& sour
 
 /// Threshold, course, length, width, and whether it is paved.
 using RunwayNumbers = std::array<double, 6>;
+/// Place and direction, width, length of the runway.
+using HoldNumbers = std::array<double, 6>;
+
+template<class Numbers>
+bool areFinite(const Numbers& numbers)
+{
+    return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
 
 } // namespace
 
@@ -143,6 +152,13 @@ std::string bytesOf(const SceneAirfields& airfields)
         foundation::appendValue(bytes, way.widthM);
         foundation::appendValues(bytes, way.middle);
     }
+    foundation::appendValue(bytes, static_cast<std::uint64_t>(airfields.holds.size()));
+    for (const auto& hold : airfields.holds)
+    {
+        foundation::appendValue(bytes, HoldNumbers{hold.place.x, hold.place.y, hold.away.x, hold.away.y,
+                                                   hold.taxiwayM, hold.runwayM});
+        foundation::appendText(bytes, hold.runways);
+    }
     return bytes;
 }
 
@@ -156,9 +172,8 @@ std::optional<SceneAirfields> sceneAirfieldsIn(std::string_view bytes)
     for (SceneRunway& runway : airfields.runways)
     {
         RunwayNumbers n{};
-        const auto isFinite = [](double number) { return std::isfinite(number); };
         if (!taker.take(n) || !taker.take(runway.designators) || !(n[3] >= kLeastM) || !(n[4] > 0.0) ||
-            !std::all_of(n.begin(), n.end(), isFinite))
+            !areFinite(n))
             return std::nullopt;
         runway.strip = {{n[0], n[1]}, n[2], n[3], n[4]};
         runway.isPaved = n[5] != 0.0;
@@ -167,6 +182,14 @@ std::optional<SceneAirfields> sceneAirfieldsIn(std::string_view bytes)
     airfields.taxiways.resize(static_cast<std::size_t>(count));
     for (SceneTaxiway& way : airfields.taxiways)
         if (!taker.take(way.widthM) || !taker.take(way.middle) || way.middle.empty()) return std::nullopt;
+    if (!taker.takeCount(count, sizeof(HoldNumbers))) return std::nullopt;
+    airfields.holds.resize(static_cast<std::size_t>(count));
+    for (auto& hold : airfields.holds)
+    {
+        HoldNumbers n{};
+        if (!taker.take(n) || !taker.take(hold.runways) || !areFinite(n)) return std::nullopt;
+        hold = {{n[0], n[1]}, {n[2], n[3]}, n[4], n[5], std::move(hold.runways)};
+    }
     return taker.isEmpty() ? std::optional(std::move(airfields)) : std::nullopt;
 }
 
@@ -184,6 +207,7 @@ foundation::Result<SceneAirfields> sceneAirfields(const osgTerrainROAM::core::Ro
         if (!found) return found.error();
         airfields.runways.insert(airfields.runways.end(), found->runways.begin(), found->runways.end());
         ways.insert(ways.end(), found->taxiways.begin(), found->taxiways.end());
+        airfields.holds.insert(airfields.holds.end(), found->holds.begin(), found->holds.end());
     }
     if (!airfields.runways.empty()) airfields.taxiways = connected(std::move(ways), airfields.runways);
     return airfields;

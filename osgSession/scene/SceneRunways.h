@@ -8,6 +8,7 @@
 #include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/RoamFile.h>
+#include <osgTerrainROAM/core/features/HoldingPositions.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
 #include "request/PlayRequest.h"
@@ -30,15 +31,17 @@ struct SceneTaxiway
     double widthM = 15.0;
 };
 
-/// The runways of a world and the taxiways between them.
+/// The runways of a world, the taxiways between them, and where one waits on these.
 struct SceneAirfields
 {
     std::vector<SceneRunway> runways;
     std::vector<SceneTaxiway> taxiways;
+    std::vector<osgTerrainROAM::core::HoldingPosition> holds;
 };
 
-/// Returns the runways among the features that a .roam file names, in their order, and the paved
-/// taxiways that begin or end at a runway or at another taxiway. Errors: as importFeatures().
+/// Returns the runways among the features that a .roam file names, in their order, the paved
+/// taxiways that begin or end at a runway or at another taxiway, and the holding positions. Errors: as
+/// importFeatures().
 foundation::Result<SceneAirfields> sceneAirfields(const osgTerrainROAM::core::RoamFile& description,
                                                   const osgTerrainROAM::core::RoamTile& tile);
 

@@ -14,9 +14,11 @@
 #include "ReadShapes.h"
 #include "scenery/ground/TileGround.h"
 #include "scenery/lights/RunwayLights.h"
+#include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/nodes/StructuresNode.h"
 #include "scenery/roads/TunnelOpenings.h"
 #include "scenery/structures/HeightsInScene.h"
+#include "scenery/structures/HoldingSigns.h"
 #include "scenery/structures/RailTube.h"
 #include "scenery/structures/StructureObstacles.h"
 
@@ -163,8 +165,22 @@ foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::Ro
     return made;
 }
 
+scenery::roads::RoadThings airfieldSigns(const SceneAirfields& airfields,
+                                         const osgTerrainROAM::core::PlacedTile& tile)
+{
+    std::vector<scenery::PavedWay> paved;
+    for (const SceneTaxiway& way : airfields.taxiways)
+        paved.push_back({way.middle, way.widthM});
+    for (const SceneRunway& runway : airfields.runways)
+    {
+        const scenery::RunwayPlan plan = planOf(runway);
+        paved.push_back({{plan.from, plan.to}, plan.widthM});
+    }
+    return scenery::holdingSigns(airfields.holds, paved, groundOf(tile));
+}
+
 foundation::Outcome addStructures(const MadeStructures& made, const SceneAirfields& airfields,
-                                  SceneTerrain& scene)
+                                  const scenery::roads::RoadThings& signs, SceneTerrain& scene)
 {
     scene.runways = airfields.runways;
     for (const std::string& note : made.notes)
@@ -177,7 +193,8 @@ foundation::Outcome addStructures(const MadeStructures& made, const SceneAirfiel
     std::vector<glm::dvec3> socks;
     for (const glm::dvec2& place : made.windsocks)
         if (const auto height = ground(place)) socks.emplace_back(place, *height);
-    if (!made.node && papis.empty() && lamps.empty() && socks.empty()) return foundation::success();
+    if (!made.node && papis.empty() && lamps.empty() && socks.empty() && signs.standing.empty())
+        return foundation::success();
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
     if (made.node)
@@ -185,6 +202,13 @@ foundation::Outcome addStructures(const MadeStructures& made, const SceneAirfiel
         if (const auto opened = openTunnels(made.structures, scene); !opened) return opened;
         scene.standing.push_back({"structures", made.node});
         group->addChild(made.node);
+    }
+    if (!signs.standing.empty())
+    {
+        const auto node = scenery::RoadThingsNode::create(signs);
+        if (!node) return node.error();
+        scene.standing.push_back({"signs", (*node)->node()});
+        group->addChild((*node)->node());
     }
     if (made.unused + made.beyondGround > 0)
         OSG_NOTICE << "structures: " << made.unused << " of no known kind, " << made.beyondGround

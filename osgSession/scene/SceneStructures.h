@@ -15,6 +15,7 @@
 
 #include "SceneTerrain.h"
 #include "scenery/lights/StreetLamps.h"
+#include "scenery/roads/things/RoadThings.h"
 #include "scenery/structures/Structure.h"
 
 namespace trainer
@@ -41,10 +42,14 @@ foundation::Result<MadeStructures> makeStructures(const osgTerrainROAM::core::Ro
                                                   bool wantsObstacles);
 
 /// Adds structures to a scene, and its runways with what stands at them: PAPI at both ends of paved ones of
-/// kLeastPapiM or more, the lamps of their class, those of taxiways, and windsocks; and tells what could not
-/// be used. Errors: tunnels of railways whose openings cannot be cut.
+/// kLeastPapiM or more, the lamps of their class, those of taxiways, their signs, and windsocks; and tells
+/// what could not be used. Errors: tunnels of railways whose openings cannot be cut.
 foundation::Outcome addStructures(const MadeStructures& made, const SceneAirfields& airfields,
-                                  SceneTerrain& scene);
+                                  const scenery::roads::RoadThings& signs, SceneTerrain& scene);
+
+/// Returns the signs beside the holding positions of airfields.
+scenery::roads::RoadThings airfieldSigns(const SceneAirfields& airfields,
+                                         const osgTerrainROAM::core::PlacedTile& tile);
 
 inline constexpr double kLeastPapiM = 600.0;
 

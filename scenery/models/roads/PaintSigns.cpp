@@ -143,12 +143,17 @@ void paintWarning(Painter& to, SignFace face)
 void paintCell(Painter& to, int index)
 {
     const auto face = static_cast<SignFace>(index);
+    if (index >= kFirstRunwayGlyph)
+    {
+        to.ground(Painter::kRed);
+        return to.text(kRunwayGlyphs.substr(static_cast<std::size_t>(index - kFirstRunwayGlyph), 1), 1.3F,
+                       Painter::kWhite);
+    }
     if (index >= kFirstGlyph)
     {
         to.ground({1.0F, 1.0F, 1.0F, 1.0F});
-        if (index < kFirstGlyph + static_cast<int>(kGlyphs.size()))
-            to.text(kGlyphs.substr(static_cast<std::size_t>(index - kFirstGlyph), 1), 1.3F, Painter::kBlack);
-        return;
+        return to.text(kGlyphs.substr(static_cast<std::size_t>(index - kFirstGlyph), 1), 1.3F,
+                       Painter::kBlack);
     }
     if (index >= kFirstLeast)
     {

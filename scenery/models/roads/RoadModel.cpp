@@ -59,6 +59,9 @@ Model makeRoadModel(const RoadModel& model)
     case RoadModelKind::gantry:
         addGantry(builder, model);
         break;
+    case RoadModelKind::runwaySign:
+        addRunwaySign(builder, model);
+        break;
     case RoadModelKind::box:
         addGreyBox(builder, model);
         break;

@@ -30,9 +30,10 @@ struct RoadModel
         lampPost,
         cone,
         bollard,
-        railPost, ///< of a guard rail
-        gantry,   ///< a beam over the road on two posts, widthM apart
-        box,      ///< any object of no model of its own, by its size
+        railPost,   ///< of a guard rail
+        gantry,     ///< a beam over the road on two posts, widthM apart
+        runwaySign, ///< before a runway: its designators, white on red, as `text`
+        box,        ///< any object of no model of its own, by its size
     };
     enum class Shape
     {
@@ -70,7 +71,8 @@ struct RoadModel
     bool isTwoSided = false;
     bool isWhite = false; ///< a board of white, not of yellow
     Arrow arrow = Arrow::none;
-    std::string text; ///< of a board: capitals and digits of Latin-1, lines parted by '\n'
+    /// of a sign before a runway, or of a board: capitals and digits of Latin-1, lines parted by '\n'
+    std::string text;
 
     auto operator<=>(const RoadModel&) const = default;
 };
@@ -80,7 +82,8 @@ constexpr double kPostDepthM = 0.8;
 /// Makes the model. Pure. One surface: kPlain. Sizes of 0 are those of the kind:
 /// traffic lights DIN 67527 and EN 12368 (lenses of 0.2 m), delineators of the German RPS/HLB (1.05 m), lamp
 /// posts of 8 m, cones of 0.75 m, bollards of 0.9 m, posts of rails of 0.7 m (EN 1317 systems: C 120 × 80
-/// mm), gantries with 6 m of clearance over 15 m.
+/// mm), gantries with 6 m of clearance over 15 m, signs before runways with letters of
+/// 0.4 m, 1.1 m above the ground (ICAO Annex 14, 8th edition, table 5-5 and appendix 4).
 Model makeRoadModel(const RoadModel& model);
 
 /// A lens of a traffic light. Frame: the model's.

@@ -49,4 +49,7 @@ void addBollard(ModelBuilder& builder, const RoadModel& model);
 void addRailPost(ModelBuilder& builder, const RoadModel& model);
 void addGantry(ModelBuilder& builder, const RoadModel& model);
 
+/// The sign beside a holding position (RunwaySign.cpp).
+void addRunwaySign(ModelBuilder& builder, const RoadModel& model);
+
 } // namespace scenery::models

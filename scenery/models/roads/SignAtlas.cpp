@@ -32,6 +32,13 @@ SignCell cellOfGlyph(char glyph)
                                            : cellAt(kFirstGlyph + static_cast<int>(found));
 }
 
+SignCell cellOfRunwayGlyph(char glyph)
+{
+    const auto found = kRunwayGlyphs.find(glyph);
+    return found == std::string_view::npos ? cellOf(SignFace::plain)
+                                           : cellAt(kFirstRunwayGlyph + static_cast<int>(found));
+}
+
 SignCell cellOfLimit(int speed, bool isLeast)
 {
     if (isLeast)

@@ -63,6 +63,9 @@ SignCell cellOf(SignFace face);
 /// É, Ö, Ü, 0 to 9 and - . / : , ( ) are blank.
 SignCell cellOfGlyph(char glyph);
 
+/// The cell of a digit or of C, L or R of a runway's designator: white on red. Others are plain.
+SignCell cellOfRunwayGlyph(char glyph);
+
 /// The cells of speed limits (5 to 140 by 5) and of least speeds (blue); others give those without a number.
 SignCell cellOfLimit(int speed, bool isLeast);
 

@@ -95,6 +95,12 @@ void addModel(const StandingThing& thing, const RoadModel& model, simulation::Ob
                                   2.0 * kMastRadiusM, 6.0),
                           "gantry");
         return;
+    case runwaySign:
+        for (const double side : {-0.35, 0.35}) // on joints that break
+            obstacles.add(roundAt(ObstacleKind::marker, thing.position + side * model.widthM * thing.axes[1],
+                                  kPostRadiusM, model.raisedM + model.heightM),
+                          "runway sign");
+        return;
     case box:
         if (model.heightM >= kLeastBoxM) obstacles.add(boxAt(thing, model), "object");
         return;

@@ -21,6 +21,7 @@ trainer::SceneAirfields airfield()
     trainer::SceneAirfields airfields;
     airfields.runways = {{{{100.0, -50.0}, 30.0, 1200.0, 30.0}, "03/21", true},
                          {{{0.0, 0.0}, 270.0, 500.0, 20.0}, "", false}};
+    airfields.holds = {{{1.0, 2.0}, {0.6, 0.8}, 15.0, 740.0, "09-27"}};
     airfields.taxiways = {{{{1.0, 2.0}, {3.0, 4.0}, {5.0, 6.0}}, 15.0}, {{{7.0, 8.0}}, 10.5}};
     return airfields;
 }
@@ -37,6 +38,10 @@ TEST(KeptScene, AirfieldsComeBack)
     EXPECT_FALSE(read->runways[1].isPaved);
     ASSERT_EQ(read->taxiways.size(), 2U);
     EXPECT_EQ(read->taxiways[0].middle[2], glm::dvec2(5.0, 6.0));
+    ASSERT_EQ(read->holds.size(), 1U);
+    EXPECT_EQ(read->holds[0].runways, "09-27");
+    EXPECT_EQ(read->holds[0].away, glm::dvec2(0.6, 0.8));
+    EXPECT_EQ(read->holds[0].runwayM, 740.0);
     for (std::size_t size = 0; size < bytes.size(); ++size)
         EXPECT_FALSE(sceneAirfieldsIn(bytes.substr(0, size))) << size;
     EXPECT_FALSE(sceneAirfieldsIn(bytes + "x"));

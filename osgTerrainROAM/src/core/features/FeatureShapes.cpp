@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-
-#include <foundation/NearestOnSegment.h>
 
 #include "RoadChains.h"
 #include "TaxiwayStrokes.h"
@@ -73,46 +70,6 @@ void addStrokes(std::vector<Stroke>& strokes, const std::vector<Stroke>& more)
     strokes.insert(strokes.end(), more.begin(), more.end());
 }
 
-bool liesOn(const RunwayFrame& line, const RunwayFrame& area)
-{
-    constexpr double kParallel = 0.95;
-    const glm::dvec2 middle = 0.5 * (line.a + line.b);
-    const double asideM = glm::distance(middle, foundation::nearestOnSegment(middle, area.a, area.b));
-    return asideM <= 0.5 * area.widthM &&
-           std::fabs(glm::dot(glm::normalize(line.b - line.a), glm::normalize(area.b - area.a))) > kParallel;
-}
-
-/// Each runway once: where a map has both a line and an area of it, the line tells ends and designator.
-std::vector<RunwayFrame> runwaysOf(const std::vector<GroundFeature>& features)
-{
-    std::vector<RunwayFrame> lines, areas;
-    for (const GroundFeature& feature : features)
-    {
-        if (feature.style.kind != FeatureKind::runway) continue;
-        RunwayFrame frame{{}, {}, feature.style.widthM, feature.style.designator};
-        frame.isPaved = feature.style.pavement == Pavement::asphalt;
-        if (feature.isArea)
-        {
-            if (runwayOfArea(feature.paths, frame)) areas.push_back(frame);
-            continue;
-        }
-        for (const auto& path : feature.paths)
-        {
-            frame.a = path.front();
-            frame.b = path.back();
-            if (frame.a != frame.b) lines.push_back(frame);
-        }
-    }
-    std::vector<RunwayFrame> runways = lines;
-    std::copy_if(areas.begin(), areas.end(), std::back_inserter(runways),
-                 [&](const RunwayFrame& area)
-                 {
-                     return std::none_of(lines.begin(), lines.end(),
-                                         [&](const RunwayFrame& line) { return liesOn(line, area); });
-                 });
-    return runways;
-}
-
 } // namespace
 
 FeatureShapes::FeatureShapes(const std::vector<GroundFeature>& features)
@@ -127,7 +84,7 @@ FeatureShapes::FeatureShapes(const std::vector<GroundFeature>& features)
     {
         if (chain.style.kind == FeatureKind::runway) continue;
         addSegments(segments, chain, line++);
-        if (chain.style.taxiing != Taxiing::none && chain.style.pavement == Pavement::asphalt)
+        if (isPavedTaxiway(chain.style))
             addStrokes(strokes, taxiwayStrokes(chain.points, chain.style.widthM, runways));
     }
     const auto byKind = [](const Segment& a, const Segment& b) { return (a.code & 3) < (b.code & 3); };

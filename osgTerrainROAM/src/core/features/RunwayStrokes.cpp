@@ -49,7 +49,7 @@ public:
             aimingPoints(end);
             rubber(end);
         }
-        const auto [name, opposite] = designators(first.along);
+        const auto [name, opposite] = designatorsOf(_frame);
         write(first, name);
         write(second, opposite);
         return _strokes;
@@ -162,17 +162,6 @@ private:
 
     double digitsFromM() const { return 36.0 + 12.0; }
 
-    std::pair<std::string, std::string> designators(const glm::dvec2& along) const
-    {
-        const std::string& text = _frame.designator;
-        if (const std::size_t slash = text.find('/'); slash != std::string::npos && text.size() <= 7)
-            return {text.substr(0, slash), text.substr(slash + 1)};
-        const double headingDeg = glm::degrees(std::atan2(along.x, along.y));
-        const int tens = (static_cast<int>(std::lround(headingDeg / 10.0)) + 35) % 36 + 1;
-        const auto two = [](int n) { return std::string(n < 10 ? "0" : "") + std::to_string(n); };
-        return {two(tens), two((tens + 17) % 36 + 1)};
-    }
-
     /// Digits of seven strokes, 9 m high and 3 m wide; letters (L, C, R) of the same.
     void write(const Axis& end, const std::string& name)
     {
@@ -223,43 +212,6 @@ private:
 };
 
 } // namespace
-
-bool runwayOfArea(const std::vector<std::vector<glm::dvec2>>& rings, RunwayFrame& frame)
-{
-    glm::dvec2 along(0.0);
-    const auto& ring = rings.front();
-    // The direction of the sum of all sides, folded into one half plane: points added on a straight side
-    // change nothing.
-    glm::dvec2 longest(0.0);
-    for (std::size_t i = 0; i < ring.size(); ++i)
-        if (const glm::dvec2 side = ring[(i + 1) % ring.size()] - ring[i];
-            glm::length(side) > glm::length(longest))
-            longest = side;
-    for (std::size_t i = 0; i < ring.size(); ++i)
-    {
-        const glm::dvec2 side = ring[(i + 1) % ring.size()] - ring[i];
-        const double cosine = glm::dot(side, longest);
-        if (std::abs(cosine) > 0.99 * glm::length(side) * glm::length(longest))
-            along += cosine < 0.0 ? -side : side;
-    }
-    if (glm::length(along) <= 0.0) return false;
-    along = glm::normalize(along);
-    const glm::dvec2 across(along.y, -along.x);
-    glm::dvec2 low(1e300), high(-1e300);
-    for (const glm::dvec2& point : ring)
-    {
-        const glm::dvec2 place(glm::dot(point, along), glm::dot(point, across));
-        low = glm::min(low, place);
-        high = glm::max(high, place);
-    }
-    if (high.x - low.x < 5.0 * (high.y - low.y)) return false;
-    const double middle = 0.5 * (low.y + high.y);
-    frame.a = low.x * along + middle * across;
-    frame.b = high.x * along + middle * across;
-    frame.widthM = high.y - low.y;
-    frame.hasBed = false;
-    return true;
-}
 
 std::vector<Stroke> runwayStrokes(const RunwayFrame& frame)
 {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <osgTerrainROAM/core/features/FeatureCells.h>
+
+#include "RunwayFrame.h"
 
 namespace osgTerrainROAM::core
 {
@@ -16,20 +17,6 @@ struct Stroke
     double halfWidthM = 0.0;
     FeatureCells::Paint paint = FeatureCells::white;
 };
-
-/// A runway as a rectangle.
-struct RunwayFrame
-{
-    glm::dvec2 a, b; ///< ends of the centre line
-    double widthM = 0.0;
-    std::string designator; ///< "09/27": the first number is read at `a`
-    bool hasBed = true;     ///< false: an area already paints the asphalt
-    bool isPaved = true;    ///< false: grass or gravel with boards along its edges
-};
-
-/// Fits a rectangle along the longest side of an area; nothing for an apron: when it is no longer than 5
-/// times its width.
-bool runwayOfArea(const std::vector<std::vector<glm::dvec2>>& rings, RunwayFrame& frame);
 
 /// Lists the strokes of a runway: asphalt, centre line, threshold bars, edge lines, aiming points,
 /// designators, edge lights and rubber of tyres; boards where it is not paved.

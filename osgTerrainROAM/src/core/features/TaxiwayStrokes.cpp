@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <foundation/NearestOnSegment.h>
+#include "HoldingPlaces.h"
 
 namespace osgTerrainROAM::core
 {
@@ -44,32 +44,9 @@ std::vector<glm::dvec2> withRoundBends(const std::vector<glm::dvec2>& path, doub
     return round;
 }
 
-/// How far from a runway's centre line one waits.
-double holdingM(const RunwayFrame& runway)
-{
-    const double lengthM = glm::distance(runway.a, runway.b);
-    return lengthM < 800.0 ? 30.0 : lengthM < 1200.0 ? 40.0 : 75.0;
-}
-
-/// Places along a path, a metre apart.
-std::vector<glm::dvec2> everyMetre(const std::vector<glm::dvec2>& path)
-{
-    std::vector<glm::dvec2> places;
-    for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    {
-        const int pieces = std::max(1, static_cast<int>(std::lround(glm::distance(path[i], path[i + 1]))));
-        for (int piece = 0; piece < pieces; ++piece)
-            places.push_back(glm::mix(path[i], path[i + 1], static_cast<double>(piece) / pieces));
-    }
-    places.push_back(path.back());
-    return places;
-}
-
 class TaxiwayPainter
 {
 public:
-    explicit TaxiwayPainter(double widthM) : _widthM(widthM) {}
-
     std::vector<Stroke> strokes;
 
     void middleLine(const std::vector<glm::dvec2>& path)
@@ -78,41 +55,12 @@ public:
             if (path[i] != path[i + 1]) yellow(path[i], path[i + 1], kLineM);
     }
 
-    /// Wherever the places leave a runway, in their order.
-    void holdingPositions(const std::vector<glm::dvec2>& places, const RunwayFrame& runway)
+    void holdingPosition(const HoldingPosition& position)
     {
-        constexpr double kOnM = 3.0, kBeforeEndM = 12.0, kLeastClearM = 15.0;
-        const double edgeM = 0.5 * runway.widthM, holdM = std::max(holdingM(runway), edgeM + kLeastClearM);
-        const auto awayM = [&](std::size_t i)
-        { return glm::distance(places[i], foundation::nearestOnSegment(places[i], runway.a, runway.b)); };
-        for (std::size_t i = 1; i < places.size(); ++i)
-        {
-            if (awayM(i - 1) > edgeM + kOnM || awayM(i) <= edgeM + kOnM) continue;
-            std::size_t at = i;
-            while (at < places.size() && awayM(at) > edgeM + kOnM && awayM(at) < holdM)
-                ++at;
-            if (at == places.size())
-            {
-                at -= std::min(at, static_cast<std::size_t>(kBeforeEndM) + 1);
-                if (at < i || awayM(at) < edgeM + kLeastClearM) continue;
-            }
-            if (awayM(at) > edgeM + kOnM)
-                holdingPosition(places[at], glm::normalize(places[at] - places[at - 1]));
-        }
-    }
-
-private:
-    void yellow(const glm::dvec2& a, const glm::dvec2& b, double widthM)
-    {
-        strokes.push_back({a, b, 0.5 * widthM, FeatureCells::yellow});
-    }
-
-    /// `away`: from the runway.
-    void holdingPosition(const glm::dvec2& place, const glm::dvec2& away)
-    {
+        const glm::dvec2 &place = position.place, &away = position.away;
         constexpr double kWideM = 0.3, kDashM = 0.9;
         const glm::dvec2 across(away.y, -away.x);
-        const double halfM = 0.5 * _widthM;
+        const double halfM = 0.5 * position.taxiwayM;
         for (const double aheadM : {3.0 * kWideM, kWideM})
             yellow(place + aheadM * away - halfM * across, place + aheadM * away + halfM * across, kWideM);
         for (const double aheadM : {-kWideM, -3.0 * kWideM})
@@ -121,7 +69,11 @@ private:
                        place + aheadM * away + (side + kDashM) * across, kWideM);
     }
 
-    double _widthM;
+private:
+    void yellow(const glm::dvec2& a, const glm::dvec2& b, double widthM)
+    {
+        strokes.push_back({a, b, 0.5 * widthM, FeatureCells::yellow});
+    }
 };
 
 } // namespace
@@ -130,15 +82,10 @@ std::vector<Stroke> taxiwayStrokes(const std::vector<glm::dvec2>& path, double w
                                    std::span<const RunwayFrame> runways)
 {
     if (path.size() < 2) return {};
-    TaxiwayPainter painter(widthM);
+    TaxiwayPainter painter;
     painter.middleLine(withRoundBends(path, widthM));
-    std::vector<glm::dvec2> places = everyMetre(path);
-    for (int way = 0; way < 2; ++way)
-    {
-        for (const RunwayFrame& runway : runways)
-            painter.holdingPositions(places, runway);
-        std::reverse(places.begin(), places.end());
-    }
+    for (const HoldingPosition& position : holdingPositionsAlong(path, widthM, runways))
+        painter.holdingPosition(position);
     return std::move(painter.strokes);
 }
 

@@ -13,11 +13,9 @@ namespace osgTerrainROAM::core
 /// holding position wherever it leaves a runway, as seen from there: two dashed lines across it, then two
 /// whole ones. `path`: its middle; `runways`: all around.
 ///
-/// A holding position lies 30, 40 or 75 m from the runway's centre line, by the runway's length. Where the
-/// taxiway ends before, as at one beside the runway, it lies 12 m before that end, or there is none where
-/// that is within 15 m of the runway's edge.
-/// Source: ICAO Annex 14, 8th edition, 5.2.8 (line), 5.2.10 with figure 5-8 (pattern A), table 3-2
-/// (distances, runways without instruments); widths of a holding position's lines as in FAA AC 150/5340-1.
+/// Where they lie: holdingPositions().
+/// Source: ICAO Annex 14, 8th edition, 5.2.8 (line), 5.2.10 with figure 5-8 (pattern A); widths of a holding
+/// position's lines as in FAA AC 150/5340-1.
 /// Simplified: the line ends at the runway's edge.
 std::vector<Stroke> taxiwayStrokes(const std::vector<glm::dvec2>& path, double widthM,
                                    std::span<const RunwayFrame> runways);

@@ -61,6 +61,12 @@ struct FeatureStyle
     bool operator==(const FeatureStyle&) const = default;
 };
 
+/// Whether a line is a taxiway or taxilane with yellow lines.
+inline bool isPavedTaxiway(const FeatureStyle& style)
+{
+    return style.taxiing != Taxiing::none && style.pavement == Pavement::asphalt;
+}
+
 /// A line (of one or more paths) or an area (of rings, by the even-odd rule).
 /// Frame: the tile's local east and north, metres. Rings do not repeat their first point at the end.
 struct GroundFeature
