@@ -39,7 +39,7 @@ std::span<const KindFacts> allFacts()
         factsOfVehicle(Kind::saloon, "saloon"),
         factsOfVehicle(Kind::van, "van"),
         factsOfVehicle(Kind::bus, "bus"),
-        KindFacts{Kind::lightAircraft, "light-aircraft", 2.7, 2.8, 6.0},
+        KindFacts{Kind::lightAircraft, "light-aircraft", 2.25, 2.8, 6.0},
         KindFacts{Kind::airliner, "airliner", 11.7, 11.8, 20.0},
         KindFacts{Kind::helicopter, "helicopter", 3.1, 3.2, 8.0},
     };

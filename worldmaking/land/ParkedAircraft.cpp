@@ -237,7 +237,7 @@ private:
         shape.paths = {{*degrees}};
         shape.tags = {{"model", std::string(parked.model)},
                       {"heading", bearingOf(stand.ahead)},
-                      {"seed", std::to_string(1 + dice.below(3))}};
+                      {"seed", std::to_string(1 + dice.below(4))}};
         shapes.push_back(std::move(shape));
         _parked.emplace_back(stand.middle, halfM);
         return true;

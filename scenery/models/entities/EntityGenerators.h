@@ -15,6 +15,7 @@ EntityModel makePedestrian(const EntityShape& shape);
 EntityModel makeWheelchair(const EntityShape& shape);
 EntityModel makeAnimal(const EntityShape& shape);
 EntityModel makeLightAircraft(const EntityShape& shape);
+EntityModel makeLowWingAircraft(const EntityShape& shape); ///< of one size
 EntityModel makeGlider(const EntityShape& shape);
 EntityModel makeAirliner(const EntityShape& shape);
 EntityModel makeHelicopter(const EntityShape& shape);

@@ -13,7 +13,7 @@
 #include <osgPMObjects/core/mesh/MeshBuilder.h>
 
 #include "scenery/models/entities/DefaultSize.h"
-#include "scenery/models/entities/EntityModel.h"
+#include "scenery/models/entities/EntityGenerators.h"
 #include "scenery/models/mesh/MeasureModel.h"
 
 namespace scenery::models
@@ -96,7 +96,8 @@ Model makeStandingAircraft(EntityKind kind, std::uint64_t seed)
     shape.red = trim.r;
     shape.green = trim.g;
     shape.blue = trim.b;
-    const EntityModel moving = makeEntityModel(shape);
+    const bool hasLowWing = kind == EntityKind::lightAircraft && seed % 2 == 0;
+    const EntityModel moving = hasLowWing ? makeLowWingAircraft(shape) : makeEntityModel(shape);
     const std::vector<glm::dmat4> pose = moving.pose({});
     Joined joined;
     for (std::size_t part = 0; part < moving.parts.size(); ++part)

@@ -13,7 +13,8 @@ namespace scenery::models
 glm::vec3 aircraftTrim(std::uint64_t seed);
 
 /// Makes an aircraft that stands: one mesh of all its parts, controls in the middle, blades at rest, with the
-/// usual size of its kind and a trim by the seed. Pure. Precondition: isAircraft(kind). Frame: that of Model.
+/// usual size of its kind and a trim by the seed; light aircraft of even seeds have low wings. Pure.
+/// Precondition: isAircraft(kind). Frame: that of Model.
 Model makeStandingAircraft(EntityKind kind, std::uint64_t seed);
 
 } // namespace scenery::models
