@@ -328,7 +328,7 @@ std::vector<Earthwork> airfieldWorks(const LandMap& map, std::span<const Runway>
               { take(apronWork(rings, shapedBy(runwaysOnly)), report.aprons, works); });
     std::vector<Earthwork> before = works;
     before.insert(before.end(), ofRunways.begin(), ofRunways.end());
-    const Earthworks levelled(std::move(before), 0.0, ground);
+    const Earthworks levelled(before, 0.0, ground);
     forShapes(map, plane, ShapeForm::line, "taxiway",
               [&](const LandShape& shape, const PlanRings& paths)
               {

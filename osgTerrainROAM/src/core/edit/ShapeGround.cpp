@@ -45,7 +45,7 @@ foundation::Result<EditReport> shape(const Earthworks& works, EditDetail detail,
 
 } // namespace
 
-foundation::Result<EditReport> shapeGround(std::vector<Earthwork> works,
+foundation::Result<EditReport> shapeGround(const std::vector<Earthwork>& works,
                                            const std::shared_ptr<RoamTile>& tile)
 {
     const auto groundM = [&](const glm::dvec2& place) -> std::optional<double>
@@ -54,7 +54,7 @@ foundation::Result<EditReport> shapeGround(std::vector<Earthwork> works,
         return ground ? std::optional(tile->tile.frame().heightOf(ground->position)) : std::nullopt;
     };
     const double flatM = 1.5 * placeM(tile->tile); // then triangles across edges are level, too
-    const Earthworks earthworks(std::move(works), flatM, groundM);
+    const Earthworks earthworks(works, flatM, groundM);
     if (earthworks.isEmpty()) return EditReport();
     TileEditor editor(tile);
     const bool hasFiner = tile->tile.grid().exponent() > 0;
@@ -74,7 +74,7 @@ foundation::Result<EditReport> shapeGround(std::span<const std::filesystem::path
         std::move(read->works.begin(), read->works.end(), std::back_inserter(works));
         tile->tile.addNotes(read->notes);
     }
-    return shapeGround(std::move(works), tile);
+    return shapeGround(works, tile);
 }
 
 } // namespace osgTerrainROAM::core

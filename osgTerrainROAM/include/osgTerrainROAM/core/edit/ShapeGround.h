@@ -36,7 +36,7 @@ foundation::Result<EditReport> shapeGround(std::span<const std::filesystem::path
                                            const std::shared_ptr<RoamTile>& tile);
 
 /// The same by earthworks in the tile's frame.
-foundation::Result<EditReport> shapeGround(std::vector<Earthwork> works,
+foundation::Result<EditReport> shapeGround(const std::vector<Earthwork>& works,
                                            const std::shared_ptr<RoamTile>& tile);
 
 } // namespace osgTerrainROAM::core
