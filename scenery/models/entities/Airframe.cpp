@@ -138,6 +138,28 @@ void Airframe::addSurface(AircraftJoint joint, const std::vector<AerofoilStation
     add(part, builder);
 }
 
+void Airframe::addFlappedWings(const std::array<AerofoilStation, 4>& stations,
+                               const std::array<AerofoilStation, 2>& tip, const glm::vec3& trim)
+{
+    const auto& [root, inner, middle, outer] = stations;
+    Wing flapped;
+    flapped.stations = {root, inner, middle};
+    flapped.hingedFrom = 1;
+    flapped.hingedTo = 2;
+    flapped.left = AircraftJoint::leftFlap;
+    flapped.right = AircraftJoint::rightFlap;
+    addWings(flapped);
+    Wing banking;
+    banking.stations = {middle, outer};
+    banking.left = AircraftJoint::leftAileron;
+    banking.right = AircraftJoint::rightAileron;
+    addWings(banking);
+    const std::vector<AerofoilStation> tips{outer, tip[0], tip[1]};
+    _body.begin("tips", kAircraftPaint, trim);
+    addWingPanel(_body, {tips});
+    addWingPanel(_body, {mirrored(tips)});
+}
+
 void Airframe::addWing(const Wing& wing, AircraftJoint joint)
 {
     const auto& all = wing.stations;

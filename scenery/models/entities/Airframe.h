@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "scenery/models/entities/EntityModel.h"
@@ -68,6 +69,11 @@ public:
         glm::vec3 tint = kAircraftWhite;
     };
     void addWings(const Wing& wing);
+
+    /// Adds the wings of a light aircraft: flaps from the second to the third station, ailerons from there to
+    /// the fourth, and from there tips in the trim.
+    void addFlappedWings(const std::array<AerofoilStation, 4>& stations,
+                         const std::array<AerofoilStation, 2>& tip, const glm::vec3& trim);
 
     /// Adds one side of a wing or a fin: what is not hinged belongs to the body.
     void addWing(const Wing& wing, AircraftJoint joint);

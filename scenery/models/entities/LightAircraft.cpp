@@ -54,24 +54,8 @@ void addLightTail(Airframe& frame, const glm::vec3& trim)
 
 void addWingsAndStruts(Airframe& frame, const glm::vec3& trim)
 {
-    const auto& [root, inner, middle, outer] = kLightWing;
-    Airframe::Wing flapped;
-    flapped.stations = {root, inner, middle};
-    flapped.hingedFrom = 1;
-    flapped.hingedTo = 2;
-    flapped.left = AircraftJoint::leftFlap;
-    flapped.right = AircraftJoint::rightFlap;
-    frame.addWings(flapped);
-    Airframe::Wing banking;
-    banking.stations = {middle, outer};
-    banking.left = AircraftJoint::leftAileron;
-    banking.right = AircraftJoint::rightAileron;
-    frame.addWings(banking);
+    frame.addFlappedWings(kLightWing, {{{{0.80, 5.4, 2.215}, 1.10}, {{0.60, 5.5, 2.22}, 0.70}}}, trim);
     ModelBuilder& body = frame.body();
-    const std::vector<AerofoilStation> tip{outer, {{0.80, 5.4, 2.215}, 1.10}, {{0.60, 5.5, 2.22}, 0.70}};
-    body.begin("tips", kAircraftPaint, trim);
-    addWingPanel(body, {tip});
-    addWingPanel(body, {mirrored(tip)});
     body.begin("struts", kAircraftPaint, kAircraftWhite);
     for (const double side : {1.0, -1.0})
     {

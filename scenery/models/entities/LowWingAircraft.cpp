@@ -47,28 +47,12 @@ void addFuselage(ModelBuilder& body, const glm::vec3& trim)
     box(body, {2.33, -0.22, 1.10}, {2.432, 0.22, 1.18});
 }
 
-void addWings(Airframe& frame, const glm::vec3& trim)
-{
-    const AerofoilStation root{{1.25, 0.0, 0.84}, 2.05, 0.15}, inner{{0.98, 0.75, 0.92}, 1.60, 0.14},
-        middle{{0.98, 2.9, 1.15}, 1.60, 0.14}, outer{{0.98, 5.0, 1.38}, 1.60, 0.13};
-    Airframe::Wing flapped;
-    flapped.stations = {root, inner, middle};
-    flapped.hingedFrom = 1;
-    flapped.hingedTo = 2;
-    flapped.left = AircraftJoint::leftFlap;
-    flapped.right = AircraftJoint::rightFlap;
-    frame.addWings(flapped);
-    Airframe::Wing banking;
-    banking.stations = {middle, outer};
-    banking.left = AircraftJoint::leftAileron;
-    banking.right = AircraftJoint::rightAileron;
-    frame.addWings(banking);
-    const std::vector<AerofoilStation> tip{
-        outer, {{0.88, 5.25, 1.41}, 1.35, 0.10}, {{0.60, 5.3, 1.42}, 0.80, 0.08}};
-    frame.body().begin("tips", kAircraftPaint, trim);
-    addWingPanel(frame.body(), {tip});
-    addWingPanel(frame.body(), {mirrored(tip)});
-}
+constexpr std::array<AerofoilStation, 4> kWing{{{{1.25, 0.0, 0.84}, 2.05, 0.15},
+                                                {{0.98, 0.75, 0.92}, 1.60, 0.14},
+                                                {{0.98, 2.9, 1.15}, 1.60, 0.14},
+                                                {{0.98, 5.0, 1.38}, 1.60, 0.13}}};
+constexpr std::array<AerofoilStation, 2> kTip{
+    {{{0.88, 5.25, 1.41}, 1.35, 0.10}, {{0.60, 5.3, 1.42}, 0.80, 0.08}}};
 
 void addTail(Airframe& frame, const glm::vec3& trim)
 {
@@ -93,7 +77,7 @@ EntityModel makeLowWingAircraft(const EntityShape& shape)
     const glm::vec3 trim(shape.red, shape.green, shape.blue);
     Airframe frame;
     addFuselage(frame.body(), trim);
-    addWings(frame, trim);
+    frame.addFlappedWings(kWing, kTip, trim);
     addTail(frame, trim);
     frame.addLeg(0, {1.70, 0.0, 0.75}, {1.78, 0.0, 0.0}, 0.19, 0.14);
     frame.addLeg(1, {0.10, 1.55, 0.98}, {0.0, 1.55, 0.0}, 0.21, 0.16);
