@@ -47,43 +47,33 @@ std::string runwaysSeenFrom(const HoldingPosition& position, const RunwayFrame& 
     return glm::dot(along, left) < 0.0 ? atA + '-' + atB : atB + '-' + atA;
 }
 
-class TaxiwayWalk
+/// Adds where the places, a taxiway's in their order, leave a runway.
+void addHoldingPositions(const std::vector<glm::dvec2>& places, double widthM, const RunwayFrame& runway,
+                         std::vector<HoldingPosition>& found)
 {
-public:
-    explicit TaxiwayWalk(double widthM) : _widthM(widthM) {}
-
-    std::vector<HoldingPosition> found;
-
-    /// Finds where the places leave a runway, in their order.
-    void leave(const RunwayFrame& runway, const std::vector<glm::dvec2>& places)
+    constexpr double kOnM = 3.0, kBeforeEndM = 12.0, kLeastClearM = 15.0;
+    const double lengthM = glm::distance(runway.a, runway.b), edgeM = 0.5 * runway.widthM,
+                 holdM = std::max(holdingM(lengthM), edgeM + kLeastClearM);
+    const auto awayM = [&](std::size_t i)
+    { return glm::distance(places[i], foundation::nearestOnSegment(places[i], runway.a, runway.b)); };
+    for (std::size_t i = 1; i < places.size(); ++i)
     {
-        constexpr double kOnM = 3.0, kBeforeEndM = 12.0, kLeastClearM = 15.0;
-        const double lengthM = glm::distance(runway.a, runway.b), edgeM = 0.5 * runway.widthM,
-                     holdM = std::max(holdingM(lengthM), edgeM + kLeastClearM);
-        const auto awayM = [&](std::size_t i)
-        { return glm::distance(places[i], foundation::nearestOnSegment(places[i], runway.a, runway.b)); };
-        for (std::size_t i = 1; i < places.size(); ++i)
+        if (awayM(i - 1) > edgeM + kOnM || awayM(i) <= edgeM + kOnM) continue;
+        std::size_t at = i;
+        while (at < places.size() && awayM(at) > edgeM + kOnM && awayM(at) < holdM)
+            ++at;
+        if (at == places.size())
         {
-            if (awayM(i - 1) > edgeM + kOnM || awayM(i) <= edgeM + kOnM) continue;
-            std::size_t at = i;
-            while (at < places.size() && awayM(at) > edgeM + kOnM && awayM(at) < holdM)
-                ++at;
-            if (at == places.size())
-            {
-                at -= std::min(at, static_cast<std::size_t>(kBeforeEndM) + 1);
-                if (at < i || awayM(at) < edgeM + kLeastClearM) continue;
-            }
-            if (awayM(at) <= edgeM + kOnM) continue;
-            HoldingPosition position{
-                places[at], glm::normalize(places[at] - places[at - 1]), _widthM, lengthM, {}};
-            position.runways = runwaysSeenFrom(position, runway);
-            found.push_back(std::move(position));
+            at -= std::min(at, static_cast<std::size_t>(kBeforeEndM) + 1);
+            if (at < i || awayM(at) < edgeM + kLeastClearM) continue;
         }
+        if (awayM(at) <= edgeM + kOnM) continue;
+        HoldingPosition position{
+            places[at], glm::normalize(places[at] - places[at - 1]), widthM, lengthM, {}};
+        position.runways = runwaysSeenFrom(position, runway);
+        found.push_back(std::move(position));
     }
-
-private:
-    double _widthM;
-};
+}
 
 } // namespace
 
@@ -91,15 +81,15 @@ std::vector<HoldingPosition> holdingPositionsAlong(const std::vector<glm::dvec2>
                                                    std::span<const RunwayFrame> runways)
 {
     if (path.size() < 2) return {};
-    TaxiwayWalk walk(widthM);
+    std::vector<HoldingPosition> found;
     std::vector<glm::dvec2> places = everyMetre(path);
     for (int way = 0; way < 2; ++way)
     {
         for (const RunwayFrame& runway : runways)
-            walk.leave(runway, places);
+            addHoldingPositions(places, widthM, runway, found);
         std::reverse(places.begin(), places.end());
     }
-    return std::move(walk.found);
+    return found;
 }
 
 std::vector<HoldingPosition> holdingPositions(const std::vector<GroundFeature>& features)
