@@ -67,19 +67,37 @@ RegionBounds::RegionBounds(const PlacedTile& tile)
 {
     assert(_level % 2 == 1);
     const auto roots = rootTriangles(tile.grid().side());
-    build(tile, roots[0], 0, 0);
-    build(tile, roots[1], 0, 1);
-    for (Sphere& sphere : _spheres)
-        sphere.highestM += _geoidM;
+    number(roots[0], 0, 0);
+    number(roots[1], 0, 1);
 }
 
-void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path)
+void RegionBounds::number(const GridTriangle& t, int level, std::uint32_t path)
 {
     if (level == _level)
     {
         const GridPoint inside{2 * t.apex.column + t.left.column + t.right.column,
                                2 * t.apex.row + t.left.row + t.right.row};
         _paths[cellQuarter(inside)] = static_cast<std::uint16_t>(path);
+        return;
+    }
+    const auto children = t.children();
+    number(children[0], level + 1, 2 * path);
+    number(children[1], level + 1, 2 * path + 1);
+}
+
+void RegionBounds::fit(const PlacedTile& tile)
+{
+    const auto roots = rootTriangles(tile.grid().side());
+    fit(tile, roots[0], 0, 0);
+    fit(tile, roots[1], 0, 1);
+    for (Sphere& sphere : _spheres)
+        sphere.highestM += _geoidM;
+}
+
+void RegionBounds::fit(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path)
+{
+    if (level == _level)
+    {
         const int shift = tile.grid().exponent();
         const auto sample = [shift](GridPoint p) { return GridPoint{p.column >> shift, p.row >> shift}; };
         sphere(level, path) =
@@ -87,8 +105,8 @@ void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int leve
         return;
     }
     const auto children = t.children();
-    build(tile, children[0], level + 1, 2 * path);
-    build(tile, children[1], level + 1, 2 * path + 1);
+    fit(tile, children[0], level + 1, 2 * path);
+    fit(tile, children[1], level + 1, 2 * path + 1);
     sphere(level, path) = joined(sphere(level + 1, 2 * path), sphere(level + 1, 2 * path + 1));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -73,6 +74,7 @@ RoamTile::RoamTile(PlacedTile placedTile, const foundation::KeptResults* kept)
 
 void RoamTile::measureBounds()
 {
+    regions.fit(tile);
     const ErrorTree measured(tile);
     const int step = tile.grid().cellSide();
     SampleIndex v = 0;
@@ -82,7 +84,7 @@ void RoamTile::measureBounds()
                 setBound({column, row}, measured.errorM(v), measured.radiusM(v));
 }
 
-/// The bounds of the raster's samples, then those beyond the data.
+/// The bounds of the raster's samples, then those beyond the data, then the regions' spheres.
 std::string RoamTile::boundBytes() const
 {
     const SampleTable& table = tile.samples().table();
@@ -104,6 +106,8 @@ std::string RoamTile::boundBytes() const
                            {reinterpret_cast<const char*>(bounds.data()), bounds.size() * sizeof(Bound)});
     foundation::appendValues(bytes, keys);
     foundation::appendValues(bytes, beyond);
+    const auto spheres = regions.spheres();
+    foundation::appendValues(bytes, std::vector(spheres.begin(), spheres.end()));
     return bytes;
 }
 
@@ -114,9 +118,14 @@ bool RoamTile::takeBounds(std::string_view bytes)
     std::string_view bounds; // read where they lie: they are many
     std::vector<Bound> beyond;
     std::vector<std::uint64_t> keys;
-    if (!taker.take(bounds) || !taker.take(keys) || !taker.take(beyond) || !taker.isEmpty()) return false;
+    std::vector<RegionBounds::Sphere> spheres;
+    if (!taker.take(bounds) || !taker.take(keys) || !taker.take(beyond) || !taker.take(spheres) ||
+        !taker.isEmpty())
+        return false;
     const std::size_t count = tile.samples().table().size();
-    if (bounds.size() != count * sizeof(Bound) || keys.size() != beyond.size()) return false;
+    if (bounds.size() != count * sizeof(Bound) || keys.size() != beyond.size() ||
+        spheres.size() != regions.spheres().size())
+        return false;
     const auto boundAt = [&](std::size_t i)
     {
         Bound bound;
@@ -124,6 +133,11 @@ bool RoamTile::takeBounds(std::string_view bytes)
         return bound;
     };
     const auto isBound = [](const Bound& bound) { return bound.errorM >= 0.0f && bound.radiusM >= 0.0f; };
+    const auto isSphere = [](const RegionBounds::Sphere& sphere)
+    {
+        return std::isfinite(sphere.centre.x + sphere.centre.y + sphere.centre.z + sphere.highestM) &&
+               sphere.radiusM >= 0.0;
+    };
     const auto isBeyond = [&](std::uint64_t key)
     {
         const GridPoint v = placeOf(key);
@@ -133,8 +147,10 @@ bool RoamTile::takeBounds(std::string_view bytes)
     for (std::size_t n = 0; n < count; ++n)
         if (!isBound(boundAt(n))) return false;
     if (!std::all_of(beyond.begin(), beyond.end(), isBound) ||
-        !std::all_of(keys.begin(), keys.end(), isBeyond))
+        !std::all_of(keys.begin(), keys.end(), isBeyond) ||
+        !std::all_of(spheres.begin(), spheres.end(), isSphere))
         return false;
+    regions.setSpheres(spheres);
     const int step = tile.grid().cellSide();
     std::size_t i = 0;
     for (int row = 0; row < tile.grid().dataRows(); row += step)

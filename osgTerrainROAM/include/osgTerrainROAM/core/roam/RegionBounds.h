@@ -20,14 +20,17 @@ namespace osgTerrainROAM::core
 /// The hierarchy for culling: bounding spheres of the bintree's nodes down to the region level.
 /// The sphere of a node holds every sample of its triangle, and so every refinement of it. It is fitted to
 /// the samples: the nested radii of ErrorTree, which are for refinement, are up to twice as large.
-/// Threads: immutable after construction. Memory: 40 B per node above the region level. Cost: two visits per
-/// sample.
+/// Threads: immutable after fit() or setSpheres(). Memory: 40 B per node above the region level.
 class RegionBounds
 {
 public:
     static constexpr int kRegionLevel = 9; ///< 2·2^9 regions, unless the tile has fewer levels
 
+    /// The nodes of a tile, whose spheres hold nothing yet: fit() or setSpheres() comes next.
     explicit RegionBounds(const PlacedTile& tile);
+
+    /// Fits the spheres to the samples. Cost: two visits per sample.
+    void fit(const PlacedTile& tile);
 
     int level() const { return _level; } ///< of the nodes that are regions
     std::uint32_t regionCount() const { return 2u << _level; }
@@ -74,7 +77,8 @@ private:
                static_cast<std::size_t>(4 * column + side);
     }
 
-    void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
+    void number(const GridTriangle& triangle, int level, std::uint32_t path);
+    void fit(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
     void include(const GridTriangle& triangle, int level, std::uint32_t path, GridPoint place,
                  const glm::dvec3& position, double heightM);
     /// The frustum of one camera, and the regions found in it.
