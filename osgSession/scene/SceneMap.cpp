@@ -88,15 +88,18 @@ public:
         unused += made.unused;
     }
 
-    foundation::Outcome addTo(MapScenery& map, const std::string& place, bool wantsObstacles) const
+    /// Once.
+    foundation::Outcome addTo(MapScenery& map, const std::string& place, bool wantsObstacles)
     {
         const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(_description));
         if (!shapes) return shapes.error();
-        const auto node = scenery::makeSceneryNode(_description, _placed, *shapes, place);
-        if (!node) return node.error();
         if (wantsObstacles) scenery::addObstacles(_description, _placed, shapes->measures, map.obstacles);
-        map.standing.push_back({"trees and vehicles", node->root, node->field, node->field->budget(),
-                                scenery::occludersOf(_description, _placed, shapes->measures)});
+        scenery::SkyOccluders occluders = scenery::occludersOf(_description, _placed, shapes->measures);
+        const auto node =
+            scenery::makeSceneryNode(_description, std::move(_placed.placements), *shapes, place);
+        if (!node) return node.error();
+        map.standing.push_back(
+            {"trees and vehicles", node->root, node->field, node->field->budget(), std::move(occluders)});
         return foundation::success();
     }
 

@@ -146,17 +146,17 @@ foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest
     scenery::Ways ways = waysOf(scenario, options, std::max(kLeastS, playS));
     if (terrain.roads) keepRoadsClear(*terrain.roads, ways);
     const auto begin = std::chrono::steady_clock::now();
-    const scenery::PlacedScenery placed =
+    scenery::PlacedScenery placed =
         scenery::placeScenery(*description, shapes->measures, groundOf(terrain), ways);
     const double placingS = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    auto node = scenery::makeSceneryNode(*description, placed, *shapes, place);
-    if (!node) return node.error();
     std::optional<SceneScenery> made(std::in_place);
-    made->node = *std::move(node);
-    made->fullBudget = made->node.field->budget();
     made->occluders = scenery::occludersOf(*description, placed, shapes->measures);
     report(placed, *shapes, placingS, made->notes);
     reportUnheeded(*description, made->notes);
+    auto node = scenery::makeSceneryNode(*description, std::move(placed.placements), *shapes, place);
+    if (!node) return node.error();
+    made->node = *std::move(node);
+    made->fullBudget = made->node.field->budget();
     return made;
 }
 

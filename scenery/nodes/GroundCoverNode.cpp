@@ -96,7 +96,7 @@ void GroundCoverNode::plant(glm::ivec2 middle)
             }
         }
     _cells = std::move(cells);
-    (void)_field->setContents(_kinds, instances); // kinds with shapes and valid settings
+    (void)_field->setContents(_kinds, std::move(instances)); // kinds with shapes and valid settings
 }
 
 } // namespace scenery

@@ -44,7 +44,8 @@ foundation::Result<osg::ref_ptr<osgPMObjects::ProgressiveField>> fieldOf(Content
     for (const auto& shape : makeProgressiveModels(std::move(contents.models)))
         kinds.push_back({shape});
     osg::ref_ptr<osgPMObjects::ProgressiveField> field = new osgPMObjects::ProgressiveField;
-    if (const auto set = field->setContents(std::move(kinds), contents.instances); !set) return set.error();
+    if (const auto set = field->setContents(std::move(kinds), std::move(contents.instances)); !set)
+        return set.error();
     return field;
 }
 

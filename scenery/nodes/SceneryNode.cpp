@@ -29,14 +29,14 @@ FieldInstance instanceOfPlacement(const Placement& placement, double groundZM, d
 } // namespace
 
 foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& description,
-                                                const PlacedScenery& placed, const SceneryShapes& shapes,
-                                                const std::string& place)
+                                                std::vector<Placement> placements,
+                                                const SceneryShapes& shapes, const std::string& place)
 {
     std::vector<FieldKind> kinds;
     std::vector<FieldInstance> instances;
-    instances.reserve(placed.placements.size());
+    instances.reserve(placements.size());
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> kindOf;
-    for (const Placement& placement : placed.placements)
+    for (const Placement& placement : placements)
     {
         const SceneryField& field = description.fields[placement.field];
         const auto [found, isNew] =
@@ -53,10 +53,12 @@ foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& descri
             instanceOfPlacement(placement, shapes.groundZM[placement.object], field.importance));
         instances.back().kind = found->second;
     }
+    placements = {}; // its memory serves the field
     SceneryNode made{new osg::Group, new osgPMObjects::ProgressiveField};
     setObjectShading(*made.root, Finish::matt);
     if (const auto set = made.field->setBudget(description.budget); !set) return set.error();
-    if (const auto set = made.field->setContents(std::move(kinds), instances); !set) return set.error();
+    if (const auto set = made.field->setContents(std::move(kinds), std::move(instances)); !set)
+        return set.error();
     made.root->addChild(made.field);
     return made;
 }

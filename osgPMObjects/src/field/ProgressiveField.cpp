@@ -104,11 +104,13 @@ ProgressiveField::ProgressiveField(const ProgressiveField& other, const osg::Cop
 ProgressiveField::~ProgressiveField() = default;
 
 foundation::Outcome ProgressiveField::setContents(std::vector<FieldKind> kinds,
-                                                  const std::vector<FieldInstance>& instances)
+                                                  std::vector<FieldInstance> instances)
 {
     if (foundation::Outcome checked = checkContents(kinds, instances); !checked) return checked;
     std::vector<osg::ref_ptr<FieldMesh>> meshes = meshesOf(kinds, _meshes);
-    _views = std::make_shared<FieldViews>(core::Field(modelsOf(kinds, meshes), objectsOf(instances)));
+    std::vector<core::FieldObject> objects = objectsOf(instances);
+    instances = {}; // its memory serves the field
+    _views = std::make_shared<FieldViews>(core::Field(modelsOf(kinds, meshes), std::move(objects)));
     _kinds = std::move(kinds);
     _meshes = std::move(meshes);
     _solid = solidOf(_views, _meshes);

@@ -105,7 +105,7 @@ bool readContents(osgDB::InputStream& in, ProgressiveField& field)
         if (!instance) return osgTraversal::passOn(in, instance.error());
         instances.push_back(*instance);
     }
-    return osgTraversal::passOn(in, field.setContents(std::move(kinds), instances));
+    return osgTraversal::passOn(in, field.setContents(std::move(kinds), std::move(instances)));
 }
 
 bool writeFieldSettings(osgDB::OutputStream& out, const ProgressiveField& field)

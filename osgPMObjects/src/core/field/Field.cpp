@@ -20,14 +20,25 @@ BoundingSphere placed(const FieldModel& model, const FieldObject& object)
     return {object.position + object.attitude * (object.scale * centre), object.scale * model.sphere.radius};
 }
 
+/// Puts values into an order where they lie, cycle by cycle: a copy of a million objects takes longer.
+/// `order`: of each place, from where its value comes.
 template<class Value>
-std::vector<Value> permuted(const std::vector<Value>& values, const std::vector<std::uint32_t>& order)
+void arrange(std::vector<Value>& values, const std::vector<std::uint32_t>& order)
 {
-    std::vector<Value> result;
-    result.reserve(values.size());
-    for (const std::uint32_t i : order)
-        result.push_back(values[i]);
-    return result;
+    std::vector<bool> isDone(values.size());
+    for (std::uint32_t first = 0; first < order.size(); ++first)
+    {
+        if (isDone[first]) continue;
+        Value out = std::move(values[first]);
+        std::uint32_t place = first;
+        for (; order[place] != first; place = order[place])
+        {
+            values[place] = std::move(values[order[place]]);
+            isDone[place] = true;
+        }
+        values[place] = std::move(out);
+        isDone[place] = true;
+    }
 }
 
 /// A grid of square cells over x and y, in row order.
@@ -105,8 +116,8 @@ void Field::sortIntoCells()
         cellOf.push_back(grid.cellOf(sphere));
     std::stable_sort(_numbers.begin(), _numbers.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return cellOf[a] < cellOf[b]; });
-    _objects = permuted(_objects, _numbers);
-    _spheres = permuted(_spheres, _numbers);
+    arrange(_objects, _numbers);
+    arrange(_spheres, _numbers);
     const auto count = static_cast<std::uint32_t>(_objects.size());
     for (std::uint32_t first = 0, end = 0; first < count; first = end)
     {
