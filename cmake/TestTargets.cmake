@@ -129,6 +129,14 @@ function(osgtrainer_test_program name)
     set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${included})
 endfunction()
 
+# osgtrainer_runs(NAME WHAT…): a test runs programs, loads plugins or opens made files, which are built with it; not where the compiler
+# makes no code (OSGTRAINER_SYNTAX_ONLY), hence nothing that could be run.
+function(osgtrainer_runs name)
+    if(NOT OSGTRAINER_SYNTAX_ONLY)
+        add_dependencies(${name} ${ARGN})
+    endif()
+endfunction()
+
 # osgtrainer_fuzzer(NAME SOURCES … LINK …): a libFuzzer program of the tree configured with OSGTRAINER_FUZZ=ON,
 # bin/fuzz/NAME, built by the target `fuzzers` and run by scripts/fuzz from the seeds in tests/fuzz/corpus.
 function(osgtrainer_fuzzer name)
