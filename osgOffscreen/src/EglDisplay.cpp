@@ -15,8 +15,6 @@ namespace osgOffscreen
 namespace
 {
 
-constexpr EGLint kMostDevices = 64;
-
 template<class Function>
 Function eglFunction(const char* name)
 {
@@ -29,6 +27,7 @@ EGLDisplay hardwareDisplay()
 #ifdef OSGTRAINER_WITH_OSMESA
     return EGL_NO_DISPLAY; // GL entry points are Mesa's own, see GlEntryPoints.cpp
 #else
+    constexpr EGLint kMostDevices = 64;
     const auto queryDevices = eglFunction<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     const auto queryString = eglFunction<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
     std::vector<EGLDeviceEXT> devices(kMostDevices);
