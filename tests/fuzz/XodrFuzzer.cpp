@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a road network: they are read, checked, asked for positions and meshed, or
-// refused.
+// Any bytes may be given as a road network: they are read, or refused; a part of what is read is checked,
+// asked for positions and meshed.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +18,8 @@
 #include <osgRoads/core/read/ReadNetwork.h>
 #include <osgRoads/core/surface/BuildRoadMesh.h>
 
+#include "DearPart.h"
+
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -27,6 +29,7 @@ namespace
 using namespace osgRoads::core;
 
 constexpr std::size_t kMostRoads = 20, kMostMarks = 1000;
+constexpr std::size_t kUsedOneOf = 16; // that takes far longer than reading
 constexpr double kLongestM = 2e4; // the checks look at every 5 m: longer networks would take most of the time
 constexpr double kLongestMeshM = 150.0; // a mesh has a cross-section each few decimetres
 
@@ -91,7 +94,7 @@ void checkMesh(RoadNetwork network)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     auto read = parseNetwork({reinterpret_cast<const char*>(data), size}, "fuzz");
-    if (!read) return 0;
+    if (!read || !isDearPartDone(size, kUsedOneOf)) return 0;
     const RoadNetwork& network = read->network;
     double lengthM = 0.0;
     for (const Road& road : network.roads)
