@@ -52,17 +52,10 @@ std::optional<SceneTaxiway> taxiwayOf(const GroundFeature& feature)
     return SceneTaxiway{feature.paths.front(), style.widthM};
 }
 
-double metresFrom(const glm::dvec2& place, const glm::dvec2& from, const glm::dvec2& to)
-{
-    return glm::distance(place, foundation::nearestOnSegment(place, from, to));
-}
-
 bool leadsTo(const SceneTaxiway& way, const std::vector<glm::dvec2>& line, double withinM)
 {
-    for (const glm::dvec2& end : {way.middle.front(), way.middle.back()})
-        for (std::size_t i = 0; i + 1 < line.size(); ++i)
-            if (metresFrom(end, line[i], line[i + 1]) < withinM) return true;
-    return false;
+    return foundation::distanceToLine(way.middle.front(), line) < withinM ||
+           foundation::distanceToLine(way.middle.back(), line) < withinM;
 }
 
 /// Keeps those that lead to a runway, and those that lead to these.

@@ -36,11 +36,7 @@ RoadModel signOf(const HoldingPosition& position)
 
 bool isOn(const PavedWay& way, const glm::dvec2& place)
 {
-    for (std::size_t i = 0; i + 1 < way.middle.size(); ++i)
-        if (glm::distance(place, foundation::nearestOnSegment(place, way.middle[i], way.middle[i + 1])) <
-            0.5 * way.widthM + kClearM)
-            return true;
-    return false;
+    return foundation::distanceToLine(place, way.middle) < 0.5 * way.widthM + kClearM;
 }
 
 } // namespace

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -29,6 +32,18 @@ glm::vec<length, Number> nearestOnSegment(const glm::vec<length, Number>& point,
                                           const glm::vec<length, Number>& b)
 {
     return a + nearestShare(point, a, b) * (b - a);
+}
+
+/// Returns how far a point is from a line of points; infinite where there are fewer than two.
+/// Shapes: as nearestShare().
+template<glm::length_t length, typename Number>
+Number distanceToLine(const glm::vec<length, Number>& point,
+                      const std::vector<glm::vec<length, Number>>& line)
+{
+    Number least = std::numeric_limits<Number>::infinity();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        least = std::min(least, glm::distance(point, nearestOnSegment(point, line[i], line[i + 1])));
+    return least;
 }
 
 } // namespace foundation

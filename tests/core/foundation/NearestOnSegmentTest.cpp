@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <vector>
+
 #include <foundation/NearestOnSegment.h>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
+using foundation::distanceToLine;
 using foundation::nearestOnSegment;
 using foundation::nearestShare;
 
@@ -26,4 +30,13 @@ TEST(NearestOnSegment, IsThePlaceOfASegmentWithoutLength)
 {
     EXPECT_EQ(nearestShare(glm::dvec2(3.0, 4.0), glm::dvec2(1.0), glm::dvec2(1.0)), 0.0);
     EXPECT_EQ(nearestOnSegment(glm::dvec2(3.0, 4.0), glm::dvec2(1.0), glm::dvec2(1.0)), glm::dvec2(1.0));
+}
+
+TEST(NearestOnSegment, TellsHowFarALineIs)
+{
+    const std::vector<glm::dvec2> line{{0.0, 0.0}, {10.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}};
+    EXPECT_DOUBLE_EQ(distanceToLine(glm::dvec2(4.0, 3.0), line), 3.0);
+    EXPECT_DOUBLE_EQ(distanceToLine(glm::dvec2(12.0, 5.0), line), 2.0);
+    EXPECT_DOUBLE_EQ(distanceToLine(glm::dvec2(-3.0, -4.0), line), 5.0);
+    EXPECT_TRUE(std::isinf(distanceToLine(glm::dvec2(1.0), std::vector<glm::dvec2>{{0.0, 0.0}})));
 }
