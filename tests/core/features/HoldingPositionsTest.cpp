@@ -41,6 +41,16 @@ TEST(HoldingPositions, TellTheRunwayAsWhoWaitsHasItsEnds)
     EXPECT_EQ(toldOn({{900, 200}, {900, 300}}), "") << "leads to no runway";
 }
 
+TEST(HoldingPositions, HaveADirectionWhereAMapHasAPointTwice)
+{
+    const GroundFeature runway = lineOf(FeatureKind::runway, {{0.0, 0.0}, {2500.0, 0.0}}),
+                        taxiway = lineOf(FeatureKind::road, {{300, 0}, {300, 48}, {300, 48}, {300, 60}});
+    const auto positions = holdingPositions({runway, taxiway});
+    ASSERT_EQ(positions.size(), 1U);
+    EXPECT_NEAR(positions[0].away.y, 1.0, 1e-9);
+    EXPECT_NEAR(positions[0].place.y, 48.0, 1.5);
+}
+
 TEST(HoldingPositions, LieOnTaxiwaysThatAMapHasInPieces)
 {
     const GroundFeature runway = lineOf(FeatureKind::runway, {{0.0, 0.0}, {2500.0, 0.0}}),

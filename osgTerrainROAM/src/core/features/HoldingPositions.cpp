@@ -19,12 +19,14 @@ double holdingM(double lengthM)
     return lengthM < 800.0 ? 30.0 : lengthM < 1200.0 ? 40.0 : 75.0;
 }
 
-/// Places along a path, a metre apart.
+/// Places along a path, a metre apart; no two are the same.
 std::vector<glm::dvec2> everyMetre(const std::vector<glm::dvec2>& path)
 {
+    constexpr double kSameM = 1e-3;
     std::vector<glm::dvec2> places;
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
     {
+        if (glm::distance(path[i], path[i + 1]) < kSameM) continue;
         const int pieces = std::max(1, static_cast<int>(std::lround(glm::distance(path[i], path[i + 1]))));
         for (int piece = 0; piece < pieces; ++piece)
             places.push_back(glm::mix(path[i], path[i + 1], static_cast<double>(piece) / pieces));
