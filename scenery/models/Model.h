@@ -44,6 +44,7 @@ enum class Coat : std::uint8_t
     matt,
     lacquered, ///< car paint and glass
     foliage,   ///< visible from both sides with one normal, cut out by the alpha of the texture
+    lit,       ///< has a lamp behind it, as the face of a sign: bright by night
 };
 
 /// The texture and the finish of a material. Except for foliage, the alpha of the texture tells how much the

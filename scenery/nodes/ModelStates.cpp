@@ -25,6 +25,8 @@ Finish finishOf(models::Coat coat)
         return Finish::lacquered;
     case models::Coat::foliage:
         return Finish::foliage;
+    case models::Coat::lit:
+        return Finish::lit;
     case models::Coat::matt:
         break;
     }

@@ -19,6 +19,9 @@ namespace scenery
 namespace
 {
 
+/// What a white sheet shows at night with its lamp on; 1 is a white wall in the sun.
+constexpr float kLampBehindSheet = 0.4F;
+
 /// What the shader calls objectLeaves.
 float leavesOf(Finish finish)
 {
@@ -43,6 +46,7 @@ void setObjectShading(osg::Node& node, Finish finish)
     state->addUniform(new osg::Uniform("objectTexture", 0));
     state->addUniform(new osg::Uniform("objectLacquer", finish == Finish::lacquered ? 1.0F : 0.0F));
     if (finish == Finish::lacquered) state->setDefine("OBJECT_LACQUER");
+    state->addUniform(new osg::Uniform("objectLamp", finish == Finish::lit ? kLampBehindSheet : 0.0F));
     state->addUniform(new osg::Uniform("objectLeaves", leavesOf(finish)));
     state->addUniform(new osg::Uniform("objectCutOut", static_cast<float>(models::kAlphaThreshold) / 255.0F));
     state->addUniform(new osg::Uniform("objectTintMask", 0.0F));

@@ -11,6 +11,7 @@ enum class Finish
 {
     matt,       ///< rubber, cloth, bare loaded models
     lacquered,  ///< car paint, glass: mirrors the sky more at grazing angles
+    lit,        ///< a sheet with a lamp behind it: its colour shines by itself, which the eye sees by night
     seeThrough, ///< as matt, blended by the alpha of its colour, writes no depth
     /// a crown: cut out by texture unit 0's alpha, one normal for both sides, light comes round and through
     foliage,

@@ -23,10 +23,10 @@ struct SceneryNode
     osg::ref_ptr<osgPMObjects::ProgressiveField> field;
 };
 
-/// Makes the node of placed objects (PlacedScenery::placements). Errors, with `place` and the name of the field: selection rules that do not suit the
-/// levels of an object; as ProgressiveField::setContents().
+/// Makes the node of placed objects (PlacedScenery::placements). Errors, with `place` and the name of the
+/// field: selection rules that do not suit the levels of an object; as ProgressiveField::setContents().
 foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& description,
-                                                std::vector<Placement> placements, const SceneryShapes& shapes,
-                                                const std::string& place);
+                                                std::vector<Placement> placements,
+                                                const SceneryShapes& shapes, const std::string& place);
 
 } // namespace scenery

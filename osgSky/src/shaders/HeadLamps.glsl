@@ -7,9 +7,10 @@
 
 #pragma import_defines(HEAD_LAMPS)
 
+uniform float atmosphereLampShare; // what an eye that is used to the light about sees of lamps
+
 #ifdef HEAD_LAMPS
 uniform vec3 headLampAt;   // in the world, between the lamps
-uniform float atmosphereLampShare; // what an eye that is used to the light about sees of lamps
 uniform mat3 headLampAxes; // from world axes to ahead, left, up of the vehicle
 #endif
 

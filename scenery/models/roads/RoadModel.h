@@ -79,7 +79,8 @@ struct RoadModel
 
 constexpr double kPostDepthM = 0.8;
 
-/// Makes the model. Pure. One surface: kPlain. Sizes of 0 are those of the kind:
+/// Makes the model. Pure. One surface: kPlain; the face of a runway's sign is kLitPlain. Sizes of 0 are those
+/// of the kind:
 /// traffic lights DIN 67527 and EN 12368 (lenses of 0.2 m), delineators of the German RPS/HLB (1.05 m), lamp
 /// posts of 8 m, cones of 0.75 m, bollards of 0.9 m, posts of rails of 0.7 m (EN 1317 systems: C 120 × 80
 /// mm), gantries with 6 m of clearance over 15 m, signs before runways with letters of

@@ -49,9 +49,9 @@ void addRunwaySign(ModelBuilder& builder, const RoadModel& model)
     const double halfM = 0.5 * std::max(orElse(model.widthM, 2.4 * heightM), textM);
     builder.begin("housing", kPlain, {0.16F, 0.16F, 0.17F});
     box(builder, {0.0, -halfM, lowM}, {kHousingM, halfM, lowM + heightM});
-    builder.begin("face", kPlain, glm::vec3(SignPainter::kRed));
+    builder.begin("face", kLitPlain, glm::vec3(SignPainter::kRed));
     box(builder, {-kSheetM, kRimM - halfM, lowM + kRimM}, {0.0, halfM - kRimM, lowM + heightM - kRimM});
-    builder.begin("letters", kPlain);
+    builder.begin("letters", kLitPlain);
     addLetters(builder, model.text, lowM + 0.5 * heightM, cellM);
     builder.begin("legs", kPlain, kZinc);
     for (const double side : {-0.7, 0.7})

@@ -75,5 +75,6 @@ constexpr int kSignCellPx = 128;
 
 /// The surface of all road furniture.
 inline const Surface kPlain{Painting::plain, Coat::matt};
+inline const Surface kLitPlain{Painting::plain, Coat::lit}; ///< of signs with lamps in them
 
 } // namespace scenery::models

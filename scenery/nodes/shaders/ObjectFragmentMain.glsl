@@ -12,6 +12,7 @@ uniform sampler2D objectTexture;
 uniform float objectLacquer;
 uniform float objectLeaves;   // 1: foliage; 0.5: blades, which stand alone
 uniform float objectTintMask;
+uniform float objectLamp;     // of a sheet with a lamp behind it
 uniform float objectCutOut;   // alpha below which foliage is not drawn
 
 // Of the sunlight that a crown meets, what its leaves let through and scatter comes out of the inner ones again. Green leaves let some 10 % of
@@ -70,7 +71,7 @@ void main()
     float sunHeight = max(sunCosine, 0.0);
     if (objectLeaves > 0.0) sunHeight = max((sunCosine + 0.5) / 1.5, 0.12); // light comes round the crown and through it
     float share = mix(sunShare(fromEye, normal, 1.0), 1.0, kThroughLeaves * step(0.75, objectLeaves));
-    vec3 lit = albedo * (lightOn(normal, share * sunHeight, skyShare) + headLight(fromEye, normal));
+    vec3 lit = albedo * (lightOn(normal, share * sunHeight, skyShare) + headLight(fromEye, normal) + vec3(objectLamp * atmosphereLampShare));
 #ifdef OBJECT_WEATHERED
     if (objectLeaves == 0.0) // a film on roofs and slabs
         lit = filmOfWater(lit, towards, normal, 0.5 * surfaceWeather.x * smoothstep(0.5, 0.9, normal.z) * (1.0 - min(0.5 * surfaceWeather.y, 1.0)));
