@@ -17,6 +17,7 @@
 #include "worldmaking/madeup/PlanArea.h"
 #include "worldmaking/map/MapPlane.h"
 #include "worldmaking/map/ReadLand.h"
+#include "worldmaking/plan/PlanGrid.h"
 
 namespace
 {

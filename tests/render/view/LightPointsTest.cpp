@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include "measurement/light/view/LampPictures.h"
