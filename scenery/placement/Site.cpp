@@ -77,8 +77,8 @@ void Site::begin(std::uint32_t number)
         _fieldObjects.push_back(static_cast<std::uint32_t>(
             std::find(_objects.begin(), _objects.end(), object) - _objects.begin()));
 
-    constexpr double kFarM = 1e7;
-    _box = {glm::dvec2(-kFarM), glm::dvec2(kFarM)};
+    constexpr double kBeyondM = 1e7;
+    _box = {glm::dvec2(-kBeyondM), glm::dvec2(kBeyondM)};
     const auto cut = [&](glm::dvec2 low, glm::dvec2 high)
     {
         _box.low = glm::max(_box.low, low);
@@ -87,12 +87,12 @@ void Site::begin(std::uint32_t number)
     const Where& where = _field->where;
     if (where.circle)
         cut(where.circle->centreM - where.circle->radiusM, where.circle->centreM + where.circle->radiusM);
-    glm::dvec2 low(kFarM), high(-kFarM);
+    glm::dvec2 low(kBeyondM), high(-kBeyondM);
     for (const glm::dvec2& corner : where.polygon)
         low = glm::min(low, corner), high = glm::max(high, corner);
     if (!where.polygon.empty()) cut(low, high);
     if (!where.pathDistanceM) return;
-    low = glm::dvec2(kFarM), high = glm::dvec2(-kFarM);
+    low = glm::dvec2(kBeyondM), high = glm::dvec2(-kBeyondM);
     for (const auto& line : _pathLines)
         for (const glm::dvec2& place : line)
             low = glm::min(low, place), high = glm::max(high, place);

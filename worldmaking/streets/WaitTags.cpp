@@ -32,12 +32,13 @@ bool hasValue(std::string_view list, std::string_view value)
 
 WaitTags waitTagsOf(const Tags& tags)
 {
-    constexpr std::array<std::string_view, 5> kNone{"blinker", "blink_mode", "emergency", "ramp_meter", "no"};
+    constexpr std::array<std::string_view, 5> kNoLights{"blinker", "blink_mode", "emergency", "ramp_meter",
+                                                        "no"};
     const std::string_view kind = valueOf(tags, "highway");
     const std::string_view light = valueOf(tags, "traffic_signals");
     WaitTags waits;
-    waits.isLight =
-        hasValue(kind, "traffic_signals") && std::find(kNone.begin(), kNone.end(), light) == kNone.end();
+    waits.isLight = hasValue(kind, "traffic_signals") &&
+                    std::find(kNoLights.begin(), kNoLights.end(), light) == kNoLights.end();
     const bool isCrossing = waits.isLight || hasValue(kind, "crossing");
     waits.isFootLight = isCrossing && (hasValue(valueOf(tags, "crossing"), "traffic_signals") ||
                                        valueOf(tags, "crossing:signals") == "yes" ||

@@ -318,7 +318,7 @@ std::optional<int> WayDriver::whoTakesRoom(std::size_t first, std::size_t end) c
 /// Whether somebody who asks nobody, as a person does not, is there or will be while the vehicle passes.
 bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size_t end) const
 {
-    constexpr double kNearM = 80.0, kCrossingM = 3.0, kBesideM = 2.0, kLookS = 0.5, kMostS = 6.0;
+    constexpr double kNearM = 80.0, kCrossingM = 3.0, kAbreastM = 2.0, kLookS = 0.5, kMostS = 6.0;
     const JunctionApproach& own = *_own;
     const double fromM = own.claims[first].fromM, toM = endOf(end - 1);
     const double passesS = std::min(kMostS, secondsFor(toM - _frontM + own.lengthM, own.speedMps) + 1.0);
@@ -341,7 +341,7 @@ bool WayDriver::isStrangerAhead(ActionScene& scene, std::size_t first, std::size
                 if (point.alongM < fromM || point.alongM > toM) continue;
                 if (std::fabs(point.place.z - other.position.z) > 3.5) continue;
                 const double turn = std::sin(foundation::radiansOf(other.headingDeg) - point.headingRad);
-                const double nearM = std::fabs(turn) < 0.35 ? kBesideM : kCrossingM;
+                const double nearM = std::fabs(turn) < 0.35 ? kAbreastM : kCrossingM;
                 const glm::dvec2 between = middle + laterS * velocity - glm::dvec2(point.place);
                 if (glm::dot(between, between) < nearM * nearM) return true;
             }
