@@ -6,12 +6,19 @@
 // last one seems to go while another thread holds it, and ends the pager's threads without joining them.
 // Races of ours below a traversal of OSG's stay: only where OSG itself reads or writes are they passed over.
 // Inline, for the object may be linked twice.
+#if defined(__has_feature) // clang
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__
+#endif
+#endif
+
 #if defined(__SANITIZE_ADDRESS__)
 extern "C" [[gnu::used]] inline const char* __lsan_default_suppressions()
 {
     return "leak:libOSMesa.so\nleak:libEGL\nleak:libGLdispatch\nleak:swrast_dri.so\nleak:libX11.so\n"
            "leak:libdbus-1.so\n"
-           "leak:osgdb_osg.so\n"; // its options, after a file that it cannot read
+           "leak:osgdb_osg.so\n" // its options, after a file that it cannot read
+           "leak:libexpat.so\n"; // a parser of GDAL's that is begun for a file of another format
 }
 
 /// No library is unloaded: what one keeps would have no name that could be passed over.

@@ -8,8 +8,6 @@ if(OSGTRAINER_SANITIZE)
     add_link_options(-fsanitize=${sanitizers})
     # With sanitizers gcc 12 takes members of std::variant, std::function and std::optional for used before they are set.
     add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-    add_library(sanitizer_suppressions OBJECT ${CMAKE_CURRENT_LIST_DIR}/SanitizerSuppressions.cpp)
-    link_libraries($<TARGET_OBJECTS:sanitizer_suppressions>)
 endif()
 
 # Fuzzing needs its coverage counters in the libraries too, not only in the program that drives them.
@@ -19,4 +17,9 @@ if(OSGTRAINER_FUZZ)
     endif()
     add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
+endif()
+
+if(OSGTRAINER_SANITIZE OR OSGTRAINER_FUZZ)
+    add_library(sanitizer_suppressions OBJECT ${CMAKE_CURRENT_LIST_DIR}/SanitizerSuppressions.cpp)
+    link_libraries($<TARGET_OBJECTS:sanitizer_suppressions>)
 endif()
