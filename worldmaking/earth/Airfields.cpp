@@ -12,6 +12,7 @@
 
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/earth/RunwayProfile.h"
+#include "worldmaking/plan/PlanGrid.h"
 
 namespace worldmaking
 {

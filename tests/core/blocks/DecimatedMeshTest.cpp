@@ -6,6 +6,7 @@ namespace
 {
 
 using namespace osgTerrainROAM::core;
+using testsupport::drawnSamples;
 using testsupport::isSound;
 using testsupport::ruggedTile;
 using testsupport::viewAt;

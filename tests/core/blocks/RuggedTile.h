@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <osgTerrainROAM/core/roam/PlanTriangle.h>
 #include <osgTerrainROAM/core/roam/TriangleSamples.h>
 
 #include "BlockMeshCheck.h"

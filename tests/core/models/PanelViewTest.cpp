@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <symmetry/RotationOrbits.h>
 
+#include <osgPMObjects/core/mesh/EdgeTable.h>
 #include <osgPMObjects/core/mesh/MeshCheck.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
